@@ -1,0 +1,103 @@
+//! The caches between the phases: what was computed from the scene, and what a [`Change`] makes stale.
+//!
+//! Populated models are shared by their placements; a change recomputes only the models and clouds it touched.
+//! [`Derived::work_done`] counts, so that tests can prove it.
+
+use crate::document::Change;
+use crate::scene::{CloudModel, ModelId, Scene};
+use crate::sprites::{PlacedCloud, PopulatedModel, place, populate};
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// Everything that the camera clock needs from the scene's clouds.
+#[derive(Debug, Clone, Default)]
+pub struct Derived {
+    clouds: Vec<PlacedCloud>,
+    populated: FxHashMap<(ModelId, u64), (CloudModel, Arc<PopulatedModel>)>,
+    work: WorkDone,
+}
+
+/// How often something was computed since the start.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct WorkDone {
+    /// Models strewn and culled.
+    pub models_populated: u64,
+    /// Clouds placed.
+    pub clouds_placed: u64,
+}
+
+impl Derived {
+    /// Computes everything.
+    pub fn new(scene: &Scene) -> Self {
+        let mut derived = Self::default();
+        derived.update(scene, &Change::everything());
+        derived
+    }
+
+    /// The clouds, in the scene's order; a cloud whose model is missing has no sprites to show and is left out.
+    pub fn clouds(&self) -> &[PlacedCloud] {
+        &self.clouds
+    }
+
+    /// What has been computed so far.
+    pub fn work_done(&self) -> WorkDone {
+        self.work
+    }
+
+    /// Recomputes what `change` touched in `scene`, which is the scene after the change.
+    pub fn update(&mut self, scene: &Scene, change: &Change) {
+        self.populate_stale(scene);
+        let ground = scene.ground.as_ref().map(|ground| ground.altitude_m);
+        let mut before: FxHashMap<_, _> =
+            std::mem::take(&mut self.clouds).into_iter().map(|cloud| (cloud.id, cloud)).collect();
+        let placed: Vec<(bool, PlacedCloud)> = scene
+            .clouds
+            .iter()
+            .map(|cloud| (cloud, before.remove(&cloud.id)))
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .filter_map(|(cloud, old)| {
+                let stale =
+                    change.touches_cloud(cloud.id) || change.touches_model(cloud.model) || change.touches_ground();
+                if let (false, Some(old)) = (stale, old) {
+                    return Some((false, old));
+                }
+                let (model, sprites) = self.populated.get(&(cloud.model, seed_of(scene, cloud)?))?;
+                Some((true, place(cloud, model, sprites, ground)))
+            })
+            .collect();
+        self.work.clouds_placed += placed.iter().filter(|(new, _)| *new).count() as u64;
+        self.clouds = placed.into_iter().map(|(_, cloud)| cloud).collect();
+    }
+
+    /// Populates the models and seeds in use whose boxes, culling, category or seed are not what they were.
+    fn populate_stale(&mut self, scene: &Scene) {
+        let mut before = std::mem::take(&mut self.populated);
+        let mut wanted: Vec<(ModelId, u64)> =
+            scene.clouds.iter().filter_map(|cloud| Some((cloud.model, seed_of(scene, cloud)?))).collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        let fresh: Vec<_> = wanted
+            .into_iter()
+            .filter_map(|key| Some((key, scene.model(key.0)?, before.remove(&key))))
+            .collect::<Vec<_>>()
+            .into_par_iter()
+            .map(|(key, model, old)| match old {
+                Some((old_model, sprites)) if same_sprites(&old_model, model) => (false, key, (model.clone(), sprites)),
+                _ => (true, key, (model.clone(), Arc::new(populate(model, key.1)))),
+            })
+            .collect();
+        self.work.models_populated += fresh.iter().filter(|(new, ..)| *new).count() as u64;
+        self.populated = fresh.into_iter().map(|(_, key, value)| (key, value)).collect();
+    }
+}
+
+fn seed_of(scene: &Scene, cloud: &crate::scene::Cloud) -> Option<u64> {
+    Some(cloud.seed.unwrap_or(scene.model(cloud.model)?.seed))
+}
+
+/// Whether two states of a model give the same sprites, whatever their colours and groups' light.
+fn same_sprites(a: &CloudModel, b: &CloudModel) -> bool {
+    a.boxes == b.boxes && a.cull_radius == b.cull_radius && a.category == b.category
+}

@@ -1,0 +1,88 @@
+//! What to draw for one view, in order.
+//!
+//! Clouds and sprites outside the view are left out; the rest is sorted by the distance of its centre to the eye
+//! *point*. That key does not change when the head turns, but it is approximate: quads that face the eye cross one
+//! another (the truth, [`crate::raster::truth`], orders each ray's own fragments). Ties go by cloud and sprite index,
+//! so the order is total whatever the input.
+
+use crate::camera::View;
+use crate::sprites::PlacedCloud;
+use glam::Vec3;
+use rayon::prelude::*;
+
+/// A sprite to draw.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawSprite {
+    /// Index of its cloud.
+    pub cloud: u32,
+    /// Index of the sprite within its cloud.
+    pub sprite: u32,
+    /// Its centre relative to the eye, metres, world axes.
+    pub center: Vec3,
+}
+
+/// The sprites in view, farthest first.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct DrawList {
+    /// Back to front.
+    pub sprites: Vec<DrawSprite>,
+}
+
+impl DrawList {
+    /// Chooses and sorts what `view` sees of `clouds`.
+    pub fn new(clouds: &[PlacedCloud], view: &View) -> Self {
+        let mut sprites: Vec<DrawSprite> = clouds
+            .par_iter()
+            .enumerate()
+            .flat_map_iter(|(cloud_index, cloud)| {
+                let offset = eye_offset(cloud, view);
+                let seen = view.sees_sphere(offset + cloud.center, cloud.reach);
+                let of_cloud: &[_] = if seen { &cloud.sprites } else { &[] };
+                of_cloud.iter().enumerate().filter_map(move |(index, sprite)| {
+                    let center = offset + sprite.position;
+                    view.sees_sphere(center, sprite.reach()).then_some(DrawSprite {
+                        cloud: cloud_index as u32,
+                        sprite: index as u32,
+                        center,
+                    })
+                })
+            })
+            .collect();
+        sort_back_to_front(&mut sprites);
+        Self { sprites }
+    }
+}
+
+/// Where a cloud's origin lies from the eye, metres. The subtraction is in f64, so it is exact far from the origin.
+pub fn eye_offset(cloud: &PlacedCloud, view: &View) -> Vec3 {
+    (cloud.origin - view.eye).as_vec3()
+}
+
+/// Sorts `sprites`, which stand in order of cloud and sprite index, farthest first; equally far ones stay in order.
+pub fn sort_back_to_front(sprites: &mut Vec<DrawSprite>) {
+    let keys =
+        sprites.iter().enumerate().map(|(index, sprite)| far_first_key(sprite.center.length_squared(), index as u32));
+    let mut keys: Vec<u64> = keys.collect();
+    keys.par_sort_unstable();
+    *sprites = keys.into_iter().map(|key| sprites[key as u32 as usize]).collect();
+}
+
+/// Rises as the distance falls, then with the index. The bits of non-negative floats are ordered as the floats are,
+/// infinity and NaN last.
+fn far_first_key(distance_squared: f32, index: u32) -> u64 {
+    (u64::from(!distance_squared.to_bits()) << 32) | u64::from(index)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn far_first_then_by_index() {
+        let at = |cloud, sprite, z| DrawSprite { cloud, sprite, center: Vec3::new(0.0, 0.0, z) };
+        let mut sprites = vec![at(0, 0, -1.0), at(0, 1, -5.0), at(1, 0, 5.0), at(1, 1, -9.0), at(2, 0, f32::INFINITY)];
+        sort_back_to_front(&mut sprites);
+        let order: Vec<_> = sprites.iter().map(|s| (s.cloud, s.sprite)).collect();
+        assert_eq!(order, [(2, 0), (1, 1), (0, 1), (1, 0), (0, 0)]);
+    }
+}

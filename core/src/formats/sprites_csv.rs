@@ -1,0 +1,64 @@
+//! All sprites of a scene as a table, a line each: for spreadsheets and quick scripts.
+//!
+//! Units and order as in [`super::sprites_json`]. With light, the four corners' colours follow, each as four columns.
+
+use crate::camera::View;
+use crate::draw_list::eye_offset;
+use crate::facing::{corners, face_eye};
+use crate::shading::{Light, corner_light};
+use crate::sprites::PlacedCloud;
+use std::fmt::Write;
+
+const CORNER_NAMES: [&str; 4] = ["top_left", "top_right", "bottom_right", "bottom_left"];
+
+/// All `clouds` as comma-separated text with a line of heads. With `shaded`, corner colours as that view's eye sees
+/// them in that light.
+pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> String {
+    let mut out = String::from("cloud,name,category,box,index,x,y,z,width,height,rotation_deg,tile,group");
+    if shaded.is_some() {
+        for name in CORNER_NAMES {
+            for channel in ["r", "g", "b", "a"] {
+                let _ = write!(out, ",{name}_{channel}");
+            }
+        }
+    }
+    out.push('\n');
+    for cloud in clouds {
+        for sprite in &cloud.sprites {
+            let position = cloud.origin + sprite.position.as_dvec3();
+            let group = &cloud.groups[sprite.group as usize];
+            let _ = write!(
+                out,
+                "{},{},{},{},{},{:.4},{:.4},{:.4},{},{},{},{},{}",
+                cloud.id,
+                quoted(&cloud.name),
+                cloud.category.name(),
+                sprite.box_id,
+                sprite.index,
+                position.x,
+                position.y,
+                position.z,
+                sprite.width,
+                sprite.height,
+                sprite.rotation.to_degrees(),
+                sprite.tile,
+                group.key
+            );
+            if let Some((view, light)) = shaded {
+                let facing = face_eye(eye_offset(cloud, view) + sprite.position, sprite.rotation, view.up);
+                for point in corners(sprite.position, facing, sprite.width, sprite.height) {
+                    for value in corner_light(point, cloud, group, light).color().to_array() {
+                        let _ = write!(out, ",{value}");
+                    }
+                }
+            }
+            out.push('\n');
+        }
+    }
+    out
+}
+
+/// RFC 4180: quoted where it must be.
+fn quoted(text: &str) -> String {
+    if text.contains([',', '"', '\n', '\r']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text.into() }
+}

@@ -1,0 +1,163 @@
+//! All sprites of a scene for other tools, as JSON (`"format": "cloudwright-sprites"`, version 1).
+//!
+//! Metres in the world; angles in degrees counter-clockwise as seen; colours linear with straight alpha; heights of
+//! levels and corners from 0 at the cloud's bottom to 1 at its top; tiles 0 to 15 row by row.
+
+use super::pretty_json;
+use crate::camera::View;
+use crate::color::{Rgb, Rgba, shortest_f64};
+use crate::facing::{corners, face_eye};
+use crate::scene::{BoxId, Category, CloudId, ColorLevel};
+use crate::shading::{Light, corner_light};
+use crate::sprites::{Group, PlacedCloud, Sprite};
+use glam::{DVec3, Vec3};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct File<'a> {
+    format: &'static str,
+    version: u32,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    light: Option<LightOut>,
+    clouds: Vec<CloudOut<'a>>,
+}
+
+#[derive(Serialize)]
+struct LightOut {
+    time: String,
+    sun_direction: [f64; 3],
+    ambient_max: Rgba,
+    directional_max: Rgb,
+}
+
+#[derive(Serialize)]
+struct CloudOut<'a> {
+    id: CloudId,
+    name: &'a str,
+    category: Category,
+    center: DVec3,
+    radius: f64,
+    bottom: f64,
+    top: f64,
+    color_levels: Vec<LevelOut>,
+    groups: Vec<GroupOut>,
+    sprites: Vec<SpriteOut>,
+}
+
+#[derive(Serialize)]
+struct LevelOut {
+    height: f64,
+    rgba: Rgba,
+}
+
+#[derive(Serialize)]
+struct GroupOut {
+    id: String,
+    center: DVec3,
+    c_min: f64,
+    c_med: f64,
+    c_max: f64,
+}
+
+#[derive(Serialize)]
+struct SpriteOut {
+    #[serde(rename = "box")]
+    box_id: BoxId,
+    index: u32,
+    position: DVec3,
+    width: f64,
+    height: f64,
+    rotation_deg: f64,
+    tile: u8,
+    group: String,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    corners: Option<[CornerOut; 4]>,
+}
+
+#[derive(Serialize)]
+struct CornerOut {
+    position: DVec3,
+    height: f64,
+    ambient: Rgba,
+    directional: Rgb,
+    color: Rgba,
+}
+
+/// All `clouds` as text. With `shaded`, each sprite has its corners as that view's eye sees them in that light.
+///
+/// # Errors
+/// None in practice: every number of a placed cloud is finite.
+pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> Result<String, serde_json::Error> {
+    let file = File {
+        format: "cloudwright-sprites",
+        version: 1,
+        light: shaded.map(|(_, light)| LightOut {
+            time: crate::math::clock(light.time_h),
+            sun_direction: light.sun_direction.to_array().map(shortest_f64),
+            ambient_max: light.ambient_max,
+            directional_max: light.directional_max,
+        }),
+        clouds: clouds.iter().map(|cloud| cloud_out(cloud, shaded)).collect(),
+    };
+    Ok(pretty_json::write(&serde_json::to_value(file)?))
+}
+
+fn cloud_out<'a>(cloud: &'a PlacedCloud, shaded: Option<(&View, &Light)>) -> CloudOut<'a> {
+    CloudOut {
+        id: cloud.id,
+        name: &cloud.name,
+        category: cloud.category,
+        center: in_world(cloud, cloud.center),
+        radius: shortest_f64(cloud.radius),
+        bottom: cloud.origin.y + f64::from(cloud.bottom),
+        top: cloud.origin.y + f64::from(cloud.top),
+        color_levels: cloud
+            .color_levels
+            .iter()
+            .map(|&ColorLevel { height, color }| LevelOut { height, rgba: color })
+            .collect(),
+        groups: cloud.groups.iter().map(|group| group_out(cloud, group)).collect(),
+        sprites: cloud.sprites.iter().map(|sprite| sprite_out(cloud, sprite, shaded)).collect(),
+    }
+}
+
+fn group_out(cloud: &PlacedCloud, group: &Group) -> GroupOut {
+    let [c_min, c_med, c_max] = group.c.map(shortest_f64);
+    GroupOut { id: group.key.to_string(), center: in_world(cloud, group.center), c_min, c_med, c_max }
+}
+
+fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<(&View, &Light)>) -> SpriteOut {
+    let group = &cloud.groups[sprite.group as usize];
+    SpriteOut {
+        box_id: sprite.box_id,
+        index: sprite.index,
+        position: in_world(cloud, sprite.position),
+        width: shortest_f64(sprite.width),
+        height: shortest_f64(sprite.height),
+        rotation_deg: shortest_f64(sprite.rotation.to_degrees()),
+        tile: sprite.tile,
+        group: group.key.to_string(),
+        corners: shaded.map(|(view, light)| corners_out(cloud, sprite, group, view, light)),
+    }
+}
+
+fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, view: &View, light: &Light) -> [CornerOut; 4] {
+    let center = crate::draw_list::eye_offset(cloud, view) + sprite.position;
+    let facing = face_eye(center, sprite.rotation, view.up);
+    corners(sprite.position, facing, sprite.width, sprite.height).map(|point| {
+        let lit = corner_light(point, cloud, group, light);
+        CornerOut {
+            position: in_world(cloud, point),
+            height: shortest_f64(lit.height),
+            ambient: lit.ambient,
+            directional: lit.directional,
+            color: lit.color(),
+        }
+    })
+}
+
+/// A point of the cloud in the world, to the millimetre that f32 holds within a cloud.
+fn in_world(cloud: &PlacedCloud, point: Vec3) -> DVec3 {
+    let exact = cloud.origin + point.as_dvec3();
+    (exact * 1e4).round() / 1e4
+}

@@ -1,0 +1,69 @@
+//! One picture's worth of input: what both renderers draw from.
+
+use crate::camera::View;
+use crate::color::Rgb;
+use crate::draw_list::DrawList;
+use crate::scene::{Camera, Scene};
+use crate::shading::Light;
+use crate::sky::{Background, Dome, GroundLook};
+use crate::sprites::{Atlas, PlacedCloud};
+
+/// A scene's clouds, light and background as one eye sees them at one moment.
+#[derive(Debug, Clone)]
+pub struct Frame<'a> {
+    /// The eye and the picture's size.
+    pub view: View,
+    /// The light on the clouds.
+    pub light: Light,
+    /// Sky, ground and haze.
+    pub background: Background,
+    /// What the light is multiplied with before the tone curve.
+    pub exposure: f32,
+    /// All clouds; the list counts into them.
+    pub clouds: &'a [PlacedCloud],
+    /// The sprites in view, back to front.
+    pub list: DrawList,
+    /// Their tiles.
+    pub atlas: &'a Atlas,
+}
+
+impl<'a> Frame<'a> {
+    /// The frame that `camera` sees of `scene` at `time_h` in `width` × `height` pixels. `clouds` is the scene's
+    /// [`crate::derived::Derived::clouds`].
+    pub fn new(
+        scene: &Scene,
+        clouds: &'a [PlacedCloud],
+        atlas: &'a Atlas,
+        camera: &Camera,
+        time_h: f64,
+        width: u32,
+        height: u32,
+    ) -> Self {
+        let view = View::new(camera, width, height);
+        let light = Light::at(scene, time_h);
+        Self {
+            view,
+            light,
+            background: background(scene, &view, &light),
+            exposure: libm::exp2(scene.sky.exposure_ev) as f32,
+            list: DrawList::new(clouds, &view),
+            clouds,
+            atlas,
+        }
+    }
+}
+
+fn background(scene: &Scene, view: &View, light: &Light) -> Background {
+    let albedo = scene.ground.as_ref().map_or(Rgb::grey(0.1), |ground| ground.dark.mix(ground.bright, 0.5));
+    Background {
+        dome: Dome::new(
+            light.sun_direction,
+            scene.sky.turbidity as f32,
+            albedo,
+            scene.sky.gain as f32,
+            light.directional_max,
+        ),
+        ground: scene.ground.as_ref().and_then(|ground| GroundLook::new(ground, view.eye, light)),
+        haze_length_m: (scene.sky.haze_length_m as f32).max(1.0),
+    }
+}

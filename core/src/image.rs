@@ -1,0 +1,43 @@
+//! Pictures in memory.
+
+use crate::color::{Premultiplied, Rgb};
+
+/// Clouds alone: linear, premultiplied, before exposure and haze-free sky; for measures and for compositing.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Layer {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Top row first.
+    pub pixels: Vec<Premultiplied>,
+}
+
+/// A finished scene in linear light, before exposure and tone curve.
+#[derive(Debug, Clone, PartialEq)]
+pub struct LinearPicture {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// Top row first.
+    pub pixels: Vec<Rgb>,
+}
+
+/// A finished picture as a display shows it: sRGB, 8 bits a channel, opaque.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    /// Pixels.
+    pub width: u32,
+    /// Pixels.
+    pub height: u32,
+    /// RGBA with alpha 255, top row first.
+    pub pixels: Vec<[u8; 4]>,
+}
+
+impl Picture {
+    /// The pixels as bytes, for PNG files and textures.
+    pub fn as_bytes(&self) -> &[u8] {
+        bytemuck::cast_slice(&self.pixels)
+    }
+}

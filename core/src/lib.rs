@@ -1,0 +1,29 @@
+//! Everything Cloudwright computes: the scene, how it changes, sprites, light, and pictures on the CPU.
+//!
+//! No GPU, no files, no clock, no window, no scripts: bytes and values go in, bytes and values come out,
+//! and the only threads are those of a data-parallel pool. ARCHITECTURE.md has the map; the two flows are
+//!
+//! ```text
+//! Scene ─sprites→ [Sprite], groups, bounds                             edit clock
+//! [Sprite] + View + Light ─draw_list→ order ─facing, shading→ pixels   camera clock
+//! ```
+
+pub mod camera;
+pub mod color;
+pub mod derived;
+pub mod document;
+pub mod draw_list;
+pub mod facing;
+pub mod formats;
+pub mod frame;
+pub mod image;
+pub mod math;
+pub mod parameter;
+pub mod problem;
+pub mod random;
+pub mod raster;
+pub mod scene;
+pub mod shading;
+pub mod sky;
+pub mod sprites;
+pub mod tone;

@@ -1,0 +1,70 @@
+//! What is named must exist: the models of clouds, the groups of boxes and sprites, the sprites that were edited.
+
+use super::Problem;
+use crate::scene::{CloudBox, CloudModel, GroupId, Scene};
+
+pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+    for (i, cloud) in scene.clouds.iter().enumerate() {
+        if scene.model(cloud.model).is_none() {
+            problems.push(Problem::error(
+                format!("clouds[{i}].model"),
+                format!("there is no model {}", cloud.model),
+                format!("the models are {}", list(scene.models.iter().map(|m| m.id.to_string()))),
+            ));
+        }
+    }
+    for (i, model) in scene.models.iter().enumerate() {
+        for (j, cloud_box) in model.boxes.iter().enumerate() {
+            check_box(&format!("models[{i}].boxes[{j}]"), model, cloud_box, problems);
+        }
+    }
+}
+
+fn check_box(place: &str, model: &CloudModel, cloud_box: &CloudBox, problems: &mut Vec<Problem>) {
+    let missing = |id: &Option<GroupId>| id.filter(|id| model.groups.iter().all(|group| group.id != *id));
+    let groups = || format!("the model's groups are {}", list(model.groups.iter().map(|g| g.id.to_string())));
+    if let Some(id) = missing(&cloud_box.group) {
+        problems.push(Problem::error(format!("{place}.group"), format!("there is no group {id}"), groups()));
+    }
+    let mut seen = std::collections::BTreeSet::new();
+    for (k, edit) in cloud_box.sprite_edits.iter().enumerate() {
+        let place = format!("{place}.sprite_edits[{k}]");
+        if let Some(id) = missing(&edit.group) {
+            problems.push(Problem::error(format!("{place}.group"), format!("there is no group {id}"), groups()));
+        }
+        if !seen.insert(edit.index) {
+            problems.push(Problem::error(
+                format!("{place}.index"),
+                format!("sprite {} is edited twice", edit.index),
+                "join the two edits",
+            ));
+        }
+        if edit.index >= cloud_box.sprite_count {
+            problems.push(Problem::note(
+                format!("{place}.index"),
+                format!("sprite {} is edited, but the box has only {}", edit.index, cloud_box.sprite_count),
+                "the edit waits until there are that many sprites again",
+            ));
+        }
+    }
+}
+
+fn list(names: impl Iterator<Item = String>) -> String {
+    let names: Vec<_> = names.take(20).collect();
+    if names.is_empty() { "none".into() } else { names.join(", ") }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{assert_found, sound_scene};
+    use crate::scene::{GroupId, ModelId};
+
+    #[test]
+    fn refuses() {
+        let mut scene = sound_scene();
+        scene.clouds[0].model = ModelId(77);
+        scene.models[0].boxes[0].group = Some(GroupId(78));
+        assert_found(&scene, "clouds[0].model", "no model 77");
+        assert_found(&scene, "models[0].boxes[0].group", "no group 78");
+    }
+}

@@ -1,0 +1,118 @@
+//! Faults that a user can mend: where, what, and what to do. One check a file.
+//!
+//! A check walks the scene and reports; it never changes anything. Errors make a scene unusable (a file with one is
+//! not opened, a transaction that brings one is taken back); notes are worth a look and refused by nobody.
+
+mod crowded_group;
+mod daily_tables;
+mod duplicate_ids;
+mod levels_out_of_order;
+mod missing_references;
+mod numbers_out_of_range;
+mod reversed_ranges;
+mod too_many_sprites;
+
+pub use too_many_sprites::MAX_SPRITES_TRIED;
+
+use crate::scene::Scene;
+use std::fmt;
+
+/// How bad a problem is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Severity {
+    /// Worth a look.
+    Note,
+    /// The scene can't be used.
+    Error,
+}
+
+/// A fault with its place and a way out.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Problem {
+    /// How bad.
+    pub severity: Severity,
+    /// Path in the document, such as `models[2].boxes[0].size`; or line and column of a file.
+    pub place: String,
+    /// What is wrong, with the value found.
+    pub message: String,
+    /// What to do about it.
+    pub hint: String,
+}
+
+impl Problem {
+    /// A fault that makes the scene unusable.
+    pub fn error(place: impl Into<String>, message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { severity: Severity::Error, place: place.into(), message: message.into(), hint: hint.into() }
+    }
+
+    /// Something worth a look.
+    pub fn note(place: impl Into<String>, message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self { severity: Severity::Note, ..Self::error(place, message, hint) }
+    }
+}
+
+impl fmt::Display for Problem {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { place, message, hint, .. } = self;
+        write!(f, "{place}: {message} ({hint})")
+    }
+}
+
+/// All checks, in the order of their reports.
+const CHECKS: &[fn(&Scene, &mut Vec<Problem>)] = &[
+    numbers_out_of_range::check,
+    reversed_ranges::check,
+    daily_tables::check,
+    levels_out_of_order::check,
+    duplicate_ids::check,
+    missing_references::check,
+    too_many_sprites::check,
+];
+
+/// Every problem of `scene` that can be seen without its sprites, errors and notes.
+pub fn check(scene: &Scene) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    for check in CHECKS {
+        check(scene, &mut problems);
+    }
+    problems
+}
+
+/// Every problem of `scene`, those of its sprites included: for a scene without errors.
+pub fn check_with_sprites(scene: &Scene, clouds: &[crate::sprites::PlacedCloud]) -> Vec<Problem> {
+    let mut problems = check(scene);
+    crowded_group::check(scene, clouds, &mut problems);
+    problems
+}
+
+/// A minimally broken scene must be refused by exactly the check that owns the fault.
+#[cfg(test)]
+fn assert_found(scene: &Scene, place: &str, words: &str) {
+    let problems = check(scene);
+    assert!(
+        problems.iter().any(|p| p.place == place && p.message.contains(words)),
+        "no problem at {place} with “{words}” among {problems:#?}"
+    );
+}
+
+/// A scene with one model of one box, placed once: without problems.
+#[cfg(test)]
+fn sound_scene() -> Scene {
+    use crate::scene::{BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, ModelId};
+    let mut scene = Scene::default();
+    let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "heap", Category::CumulusHumilis);
+    model.boxes.push(CloudBox::new(BoxId::new(&mut scene.next_id), glam::DVec3::ZERO));
+    let cloud = Cloud {
+        id: CloudId::new(&mut scene.next_id),
+        name: "cloud".into(),
+        model: model.id,
+        position: glam::DVec3::new(0.0, 1000.0, 0.0),
+        heading_deg: 0.0,
+        scale: 1.0,
+        seed: None,
+    };
+    scene.models.push(model);
+    scene.clouds.push(cloud);
+    assert_eq!(check(&scene), []);
+    scene
+}

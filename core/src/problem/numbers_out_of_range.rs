@@ -1,0 +1,175 @@
+//! Every number must be one, and within the range of its [`Parameter`].
+//!
+//! NaN and infinities would spread through every sum; numbers beyond the ranges would overflow f32 or ask for more
+//! memory than there is.
+
+use super::Problem;
+use crate::color::{Rgb, Rgba};
+use crate::parameter::{self as p, Parameter};
+use crate::scene::{CloudModel, CullRadius, GroupCenter, GroupLight, Scene, Sky, Sun};
+use glam::DVec3;
+
+pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+    let mut walk = Walk { problems };
+    walk.number("time_of_day_h".into(), &p::TIME_OF_DAY_H, scene.time_of_day_h);
+    walk.number("place.latitude_deg".into(), &p::LATITUDE_DEG, scene.place.latitude_deg);
+    walk.number("place.longitude_deg".into(), &p::LONGITUDE_DEG, scene.place.longitude_deg);
+    walk.number("place.utc_offset_h".into(), &p::UTC_OFFSET_H, scene.place.utc_offset_h);
+    if let Sun::ByHand { heading_deg, elevation_deg } = scene.sun {
+        walk.number("sun.by_hand.heading_deg".into(), &p::HEADING_DEG, heading_deg);
+        walk.number("sun.by_hand.elevation_deg".into(), &p::ELEVATION_DEG, elevation_deg);
+    }
+    walk.sky(&scene.sky);
+    if let Some(ground) = &scene.ground {
+        walk.number("ground.altitude_m".into(), &p::POSITION, ground.altitude_m);
+        walk.rgb("ground.dark", ground.dark);
+        walk.rgb("ground.bright", ground.bright);
+    }
+    for (i, camera) in scene.cameras.iter().enumerate() {
+        walk.point(&format!("cameras[{i}].position"), &p::POSITION, camera.position);
+        walk.number(format!("cameras[{i}].heading_deg"), &p::HEADING_DEG, camera.heading_deg);
+        walk.number(format!("cameras[{i}].pitch_deg"), &p::PITCH_DEG, camera.pitch_deg);
+        walk.number(format!("cameras[{i}].roll_deg"), &p::ROLL_DEG, camera.roll_deg);
+        walk.number(format!("cameras[{i}].field_of_view_deg"), &p::FIELD_OF_VIEW_DEG, camera.field_of_view_deg);
+    }
+    for (i, model) in scene.models.iter().enumerate() {
+        walk.model(&format!("models[{i}]"), model);
+    }
+    for (i, cloud) in scene.clouds.iter().enumerate() {
+        walk.point(&format!("clouds[{i}].position"), &p::POSITION, cloud.position);
+        walk.number(format!("clouds[{i}].heading_deg"), &p::HEADING_DEG, cloud.heading_deg);
+        walk.number(format!("clouds[{i}].scale"), &p::CLOUD_SCALE, cloud.scale);
+    }
+}
+
+struct Walk<'a> {
+    problems: &'a mut Vec<Problem>,
+}
+
+impl Walk<'_> {
+    fn number(&mut self, place: String, parameter: &Parameter, value: f64) {
+        if parameter.allows(value) {
+            return;
+        }
+        let Parameter { min, max, unit, doc, .. } = parameter;
+        let space = if unit.is_empty() { "" } else { " " };
+        self.problems.push(Problem::error(
+            place,
+            format!("{value} is out of range"),
+            format!("use {min} to {max}{space}{unit}. {doc}"),
+        ));
+    }
+
+    fn point(&mut self, place: &str, parameter: &Parameter, point: DVec3) {
+        for (axis, value) in ["x", "y", "z"].into_iter().zip(point.to_array()) {
+            self.number(format!("{place}.{axis}"), parameter, value);
+        }
+    }
+
+    fn rgb(&mut self, place: &str, color: Rgb) {
+        for (channel, value) in ["r", "g", "b"].into_iter().zip(color.to_array()) {
+            self.number(format!("{place}.{channel}"), &p::COLOR, value.into());
+        }
+    }
+
+    fn rgba(&mut self, place: &str, color: Rgba) {
+        self.rgb(place, color.rgb);
+        self.number(format!("{place}.a"), &p::ALPHA, color.a.into());
+    }
+
+    fn sky(&mut self, sky: &Sky) {
+        for (i, key) in sky.ambient.keys.iter().enumerate() {
+            self.number(format!("sky.ambient[{i}].hour"), &p::TIME_OF_DAY_H, key.hour);
+            self.rgba(&format!("sky.ambient[{i}].value"), key.value);
+        }
+        for (i, key) in sky.directional.keys.iter().enumerate() {
+            self.number(format!("sky.directional[{i}].hour"), &p::TIME_OF_DAY_H, key.hour);
+            self.rgb(&format!("sky.directional[{i}].value"), key.value);
+        }
+        self.number("sky.turbidity".into(), &p::TURBIDITY, sky.turbidity);
+        self.number("sky.gain".into(), &p::SKY_GAIN, sky.gain);
+        self.number("sky.haze_length_m".into(), &p::HAZE_LENGTH_M, sky.haze_length_m);
+        self.number("sky.exposure_ev".into(), &p::EXPOSURE_EV, sky.exposure_ev);
+    }
+
+    fn group_light(&mut self, place: &str, light: &GroupLight) {
+        self.number(format!("{place}.c_min"), &p::C_MIN, light.c_min);
+        self.number(format!("{place}.c_med"), &p::C_MED, light.c_med);
+        self.number(format!("{place}.c_max"), &p::C_MAX, light.c_max);
+        match light.center {
+            GroupCenter::Mean => {}
+            GroupCenter::Pulled(share) => self.number(format!("{place}.center.pulled"), &p::PULL, share),
+            GroupCenter::At(point) => self.point(&format!("{place}.center.at"), &p::POSITION, point),
+        }
+    }
+
+    fn model(&mut self, place: &str, model: &CloudModel) {
+        match model.cull_radius {
+            CullRadius::SpriteFraction(share) => {
+                self.number(format!("{place}.cull_radius.sprite_fraction"), &p::CULL_FRACTION, share)
+            }
+            CullRadius::CloudHeightFraction(share) => {
+                self.number(format!("{place}.cull_radius.cloud_height_fraction"), &p::CULL_FRACTION, share)
+            }
+            CullRadius::Metres(metres) => self.number(format!("{place}.cull_radius.metres"), &p::CULL_METRES, metres),
+        }
+        for (i, level) in model.color_levels.iter().enumerate() {
+            self.number(format!("{place}.color_levels[{i}].height"), &p::LEVEL_HEIGHT, level.height);
+            self.rgba(&format!("{place}.color_levels[{i}].color"), level.color);
+        }
+        for (i, group) in model.groups.iter().enumerate() {
+            self.group_light(&format!("{place}.groups[{i}].light"), &group.light);
+        }
+        for (i, cloud_box) in model.boxes.iter().enumerate() {
+            let place = format!("{place}.boxes[{i}]");
+            self.point(&format!("{place}.center"), &p::POSITION, cloud_box.center);
+            self.point(&format!("{place}.size"), &p::BOX_SIZE, cloud_box.size);
+            if (cloud_box.orientation.length() - 1.0).abs() > 1e-6 || !cloud_box.orientation.is_finite() {
+                let [x, y, z, w] = cloud_box.orientation.to_array();
+                self.problems.push(Problem::error(
+                    format!("{place}.orientation"),
+                    format!("[{x}, {y}, {z}, {w}] is no rotation"),
+                    "a unit quaternion x, y, z, w; [0, 0, 0, 1] for none",
+                ));
+            }
+            self.number(format!("{place}.sprite_count"), &p::SPRITE_COUNT, cloud_box.sprite_count.into());
+            for end in 0..2 {
+                self.number(format!("{place}.width[{end}]"), &p::SPRITE_SIZE, cloud_box.width[end]);
+                self.number(format!("{place}.height[{end}]"), &p::SPRITE_SIZE, cloud_box.height[end]);
+                self.number(format!("{place}.rotation_deg[{end}]"), &p::ROTATION_DEG, cloud_box.rotation_deg[end]);
+            }
+            for (axis, count) in cloud_box.lumps.into_iter().enumerate() {
+                self.number(format!("{place}.lumps[{axis}]"), &p::LUMPS, count.into());
+            }
+            self.group_light(&format!("{place}.light"), &cloud_box.light);
+            for (j, edit) in cloud_box.sprite_edits.iter().enumerate() {
+                if let Some(moved) = edit.moved {
+                    self.point(&format!("{place}.sprite_edits[{j}].moved"), &p::POSITION, moved);
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::{assert_found, sound_scene};
+    use super::*;
+
+    #[test]
+    fn refuses() {
+        let cases: [(fn(&mut Scene), &str); 6] = [
+            (|s| s.time_of_day_h = 24.0, "time_of_day_h"),
+            (|s| s.clouds[0].position.y = f64::INFINITY, "clouds[0].position.y"),
+            (|s| s.models[0].boxes[0].width[1] = -1.0, "models[0].boxes[0].width[1]"),
+            (|s| s.models[0].boxes[0].orientation *= 2.0, "models[0].boxes[0].orientation"),
+            (|s| s.models[0].color_levels[2].color.rgb.g = f32::NAN, "models[0].color_levels[2].color.g"),
+            (|s| s.models[0].boxes[0].sprite_count = 1_000_000_000, "models[0].boxes[0].sprite_count"),
+        ];
+        for (break_it, place) in cases {
+            let mut scene = sound_scene();
+            break_it(&mut scene);
+            assert_found(&scene, place, "");
+        }
+    }
+}

@@ -1,0 +1,103 @@
+//! What is saved: a scene of cloud models, their placements, light, ground and cameras.
+//!
+//! Plain values without behaviour; only [`crate::document`] changes a scene that is open. Positions are f64 metres,
+//! right-handed, +y up, x east, −z north. Names of fields are the file's, see [`crate::formats::scene_file`].
+
+mod camera;
+mod category;
+mod cloud;
+mod cloud_box;
+mod color_levels;
+mod daily_table;
+mod ids;
+mod look;
+mod model;
+mod shading_group;
+mod sun;
+
+pub use camera::Camera;
+pub use category::Category;
+pub use cloud::Cloud;
+pub use cloud_box::{CloudBox, SpriteEdit};
+pub use color_levels::{ColorLevel, ColorLevels};
+pub use daily_table::{DailyKey, DailyTable};
+pub use ids::{BoxId, CameraId, CloudId, GroupId, HasId, IdCounter, ModelId};
+pub use look::{Ground, Sky};
+pub use model::{CloudModel, CullRadius};
+pub use shading_group::{GroupCenter, GroupLight, ShadingGroup};
+pub use sun::{Date, Place, Sun};
+
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A whole scene, as in one `.cloudscene` file.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Scene {
+    /// For people.
+    pub name: String,
+    /// The id that the next new thing gets. Ids are never given twice.
+    pub next_id: IdCounter,
+    /// Local civil hours in [0, 24).
+    pub time_of_day_h: f64,
+    /// Where on Earth, and on which day.
+    pub place: Place,
+    /// Where the sun comes from.
+    #[serde(default)]
+    pub sun: Sun,
+    /// Light, air and exposure.
+    pub sky: Sky,
+    /// What lies below; none for a scene in empty air.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub ground: Option<Ground>,
+    /// A sheet of 4 × 4 sprite tiles of the scene's own: a PNG beside the scene file. None for the built-in one.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub atlas: Option<String>,
+    /// Named views. The first is the one a picture is drawn from unless told otherwise.
+    #[serde(default)]
+    pub cameras: Vec<Camera>,
+    /// Kinds of cloud: defined once, placed often.
+    #[serde(default)]
+    pub models: Vec<CloudModel>,
+    /// The models' placements.
+    #[serde(default)]
+    pub clouds: Vec<Cloud>,
+}
+
+impl Scene {
+    /// The model of that id.
+    pub fn model(&self, id: ModelId) -> Option<&CloudModel> {
+        self.models.iter().find(|model| model.id == id)
+    }
+
+    /// The cloud of that id.
+    pub fn cloud(&self, id: CloudId) -> Option<&Cloud> {
+        self.clouds.iter().find(|cloud| cloud.id == id)
+    }
+
+    /// The camera of that name.
+    pub fn camera_named(&self, name: &str) -> Option<&Camera> {
+        self.cameras.iter().find(|camera| camera.name == name)
+    }
+}
+
+impl Default for Scene {
+    /// An empty summer's day over Puget Sound, with one camera that looks north from a light aircraft's height.
+    fn default() -> Self {
+        let mut next_id = IdCounter::default();
+        let camera = Camera::new(CameraId::new(&mut next_id), "main", glam::DVec3::new(0.0, 600.0, 4000.0));
+        Self {
+            name: "Untitled".into(),
+            next_id,
+            time_of_day_h: 12.0,
+            place: Place::default(),
+            sun: Sun::default(),
+            sky: Sky::default(),
+            ground: Some(Ground::default()),
+            atlas: None,
+            cameras: vec![camera],
+            models: Vec::new(),
+            clouds: Vec::new(),
+        }
+    }
+}

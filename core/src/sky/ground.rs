@@ -1,0 +1,82 @@
+//! A level ground with a landscape's blotches: value noise on a lattice hashed with integers, so that WGSL draws the
+//! same. Blotches too small for a pixel fade to their mean.
+
+use crate::color::Rgb;
+use crate::math::smoothstep;
+use crate::scene::Ground;
+use crate::shading::Light;
+use glam::{DVec3, Vec3};
+
+/// The pattern repeats after this many metres along x and z: a scene moved by whole periods stands on the same ground.
+pub const GROUND_PERIOD_M: f64 = 100_000.0;
+/// Sides of the lattices' cells, metres; each divides the period.
+pub const GROUND_CELLS_M: [f32; 4] = [4000.0, 1000.0, 250.0, 62.5];
+
+/// The ground as one eye sees it at one moment.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GroundLook {
+    /// Height of the eye above it, metres; above 0.
+    pub eye_height: f32,
+    /// Where in the pattern the eye stands, metres in 0 to the period.
+    pub eye_in_pattern: [f32; 2],
+    /// Radiance of its dark parts.
+    pub dark: Rgb,
+    /// Radiance of its bright parts.
+    pub bright: Rgb,
+}
+
+impl GroundLook {
+    /// None for an eye that is not above the ground.
+    pub fn new(ground: &Ground, eye: DVec3, light: &Light) -> Option<Self> {
+        let eye_height = (eye.y - ground.altitude_m) as f32;
+        let in_pattern = |x: f64| x.rem_euclid(GROUND_PERIOD_M) as f32;
+        // A level face gets the whole sky's ambient and the sun by the sine of its elevation.
+        let lit = light.ambient_max.rgb * 0.75 + light.directional_max * (1.4 * light.sun_direction.y.max(0.0));
+        (eye_height > 0.0).then(|| Self {
+            eye_height,
+            eye_in_pattern: [in_pattern(eye.x), in_pattern(eye.z)],
+            dark: ground.dark * lit,
+            bright: ground.bright * lit,
+        })
+    }
+
+    /// How far away the ground lies in a unit `direction`, metres; none at or above the horizon.
+    pub fn distance(&self, direction: Vec3) -> Option<f32> {
+        (direction.y < -1e-5).then(|| -self.eye_height / direction.y)
+    }
+
+    /// Radiance of the ground at an eye-relative point, where a pixel covers `pixel_m` metres.
+    pub fn color(&self, point: Vec3, pixel_m: f32) -> Rgb {
+        let (x, z) = (self.eye_in_pattern[0] + point.x, self.eye_in_pattern[1] + point.z);
+        let mut sum = 0.0;
+        let mut weight = 0.5;
+        for (octave, cell) in GROUND_CELLS_M.into_iter().enumerate() {
+            let shown = 1.0 - smoothstep(0.25, 0.75, pixel_m / cell);
+            sum += weight * shown * (lattice_noise(x / cell, z / cell, octave as u32) - 0.5);
+            weight *= 0.7;
+        }
+        self.dark.mix(self.bright, smoothstep(-0.22, 0.22, sum))
+    }
+}
+
+/// Value noise in 0 to 1: smooth between random values at whole numbers.
+fn lattice_noise(x: f32, z: f32, octave: u32) -> f32 {
+    let (cell_x, cell_z) = (x.floor(), z.floor());
+    let fade = |t: f32| t * t * (3.0 - 2.0 * t);
+    let (u, v) = (fade(x - cell_x), fade(z - cell_z));
+    let period = (GROUND_PERIOD_M as f32 / GROUND_CELLS_M[octave as usize]) as i32;
+    let corner = |dx: i32, dz: i32| {
+        hash((cell_x as i32 + dx).rem_euclid(period) as u32, (cell_z as i32 + dz).rem_euclid(period) as u32, octave)
+    };
+    let mix = |a: f32, b: f32, t: f32| a + (b - a) * t;
+    mix(mix(corner(0, 0), corner(1, 0), u), mix(corner(0, 1), corner(1, 1), u), v)
+}
+
+/// 0 to 1 from three numbers (the mixing steps of O'Neill's PCG-RXS-M-XS, 2014).
+fn hash(x: u32, z: u32, octave: u32) -> f32 {
+    let state = (x.wrapping_mul(73_856_093) ^ z.wrapping_mul(19_349_663) ^ octave.wrapping_mul(83_492_791))
+        .wrapping_mul(747_796_405)
+        .wrapping_add(2_891_336_453);
+    let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);
+    (((word >> 22) ^ word) >> 8) as f32 / 16_777_216.0
+}

@@ -1,0 +1,214 @@
+//! The sheet of sixteen sprite tiles, cut into layers with mip levels.
+//!
+//! A sheet is a PNG of 4 × 4 tiles, row by row from the top left; its colours are linear shares of the light, not
+//! sRGB. Every layer is premultiplied and has a border of alpha 0 at each level, so that tiles neither bleed into one
+//! another nor rim when filtered. Levels go down to 8 texels: below that a sprite is a dot.
+
+use std::sync::LazyLock;
+
+/// Tiles on a sheet.
+pub const TILES: usize = 16;
+/// Side of a tile at level 0, texels.
+pub const TILE_SIZE: usize = 128;
+/// Sides 128, 64, 32, 16, 8.
+pub const MIP_LEVELS: usize = 5;
+const SHEET_SIZE: usize = 4 * TILE_SIZE;
+
+/// Sixteen tiles with their mip levels.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Atlas {
+    levels: Vec<TileLevel>,
+    grey: bool,
+}
+
+/// One tile at one mip level.
+#[derive(Debug, Clone, PartialEq)]
+pub struct TileLevel {
+    /// Side, texels.
+    pub size: usize,
+    /// Premultiplied RGBA, `size` × `size`, top row first.
+    pub texels: Vec<[u8; 4]>,
+}
+
+/// Why a picture can't be an atlas.
+#[derive(Debug, thiserror::Error)]
+pub enum AtlasError {
+    /// Not a PNG, or a broken one.
+    #[error("it is not a readable PNG: {0}")]
+    Png(#[from] png::DecodingError),
+    /// Not 512 × 512.
+    #[error("it measures {width} × {height}; an atlas is 512 × 512: four by four tiles of 128")]
+    Size {
+        /// Found, pixels.
+        width: u32,
+        /// Found, pixels.
+        height: u32,
+    },
+    /// Palette or greyscale without alpha.
+    #[error("it has no alpha channel; save it as RGBA, 8 bits a channel")]
+    NoAlpha,
+}
+
+static BUILT_IN: LazyLock<Atlas> = LazyLock::new(|| {
+    // The sheet is checked in and read by a test of its own; an unreadable one would show as clear sky.
+    Atlas::from_png(include_bytes!("../../../assets/atlas/clouds.png")).unwrap_or_else(|_| Atlas::from_sheet(&[]))
+});
+
+impl Atlas {
+    /// The sheet that ships with Cloudwright (assets/atlas/clouds.png).
+    pub fn built_in() -> &'static Self {
+        &BUILT_IN
+    }
+
+    /// Reads a 512 × 512 PNG with alpha.
+    ///
+    /// # Errors
+    /// If it is no PNG, has another size, or no alpha.
+    pub fn from_png(bytes: &[u8]) -> Result<Self, AtlasError> {
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+        decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::STRIP_16);
+        let mut reader = decoder.read_info()?;
+        let (width, height) = reader.info().size();
+        if (width as usize, height as usize) != (SHEET_SIZE, SHEET_SIZE) {
+            return Err(AtlasError::Size { width, height });
+        }
+        let (color, _) = reader.output_color_type();
+        let mut bytes = vec![0; reader.output_buffer_size().unwrap_or(0)];
+        reader.next_frame(&mut bytes)?;
+        let straight: Vec<[u8; 4]> = match color {
+            png::ColorType::Rgba => bytes.as_chunks::<4>().0.to_vec(),
+            png::ColorType::GrayscaleAlpha => bytes.as_chunks::<2>().0.iter().map(|&[l, a]| [l, l, l, a]).collect(),
+            _ => return Err(AtlasError::NoAlpha),
+        };
+        Ok(Self::from_sheet(&straight))
+    }
+
+    /// From straight RGBA texels, 512 × 512, top row first; what is missing is clear.
+    pub fn from_sheet(straight: &[[u8; 4]]) -> Self {
+        let texel = |tile: usize, x: usize, y: usize| -> [f32; 4] {
+            let row = (tile / 4) * TILE_SIZE + y;
+            let column = (tile % 4) * TILE_SIZE + x;
+            let [r, g, b, a] =
+                straight.get(row * SHEET_SIZE + column).copied().unwrap_or_default().map(|c| f32::from(c) / 255.0);
+            [r * a, g * a, b * a, a]
+        };
+        let mut levels = Vec::with_capacity(TILES * MIP_LEVELS);
+        for tile in 0..TILES {
+            let mut plane = Plane {
+                size: TILE_SIZE,
+                texels: (0..TILE_SIZE * TILE_SIZE).map(|i| texel(tile, i % TILE_SIZE, i / TILE_SIZE)).collect(),
+            };
+            for _ in 0..MIP_LEVELS {
+                levels.push(plane.bordered().quantized());
+                plane = plane.halved();
+            }
+        }
+        let grey = levels.iter().flat_map(|level| &level.texels).all(|[r, g, b, _]| r == g && g == b);
+        Self { levels, grey }
+    }
+
+    /// One tile (0 to 15) at one mip level (0 to [`MIP_LEVELS`] − 1).
+    pub fn level(&self, tile: usize, mip: usize) -> &TileLevel {
+        &self.levels[tile.min(TILES - 1) * MIP_LEVELS + mip.min(MIP_LEVELS - 1)]
+    }
+
+    /// Whether all texels are grey: then one channel of colour is enough.
+    pub fn is_grey(&self) -> bool {
+        self.grey
+    }
+}
+
+/// A tile's level in f32, premultiplied, before it is rounded to bytes.
+struct Plane {
+    size: usize,
+    texels: Vec<[f32; 4]>,
+}
+
+impl Plane {
+    /// Half the side, each texel the mean of four.
+    fn halved(&self) -> Self {
+        let size = self.size / 2;
+        let mean = |i: usize| {
+            let (x, y) = (2 * (i % size), 2 * (i / size));
+            let at = |dx: usize, dy: usize| self.texels[(y + dy) * self.size + x + dx];
+            std::array::from_fn(|c| 0.25 * (at(0, 0)[c] + at(1, 0)[c] + at(0, 1)[c] + at(1, 1)[c]))
+        };
+        Self { size, texels: (0..size * size).map(mean).collect() }
+    }
+
+    /// The outermost ring made clear; what it held goes to the rest, or far clouds would thin out with each level.
+    fn bordered(&self) -> Self {
+        let last = self.size - 1;
+        let in_ring = |i: usize| [0, last].contains(&(i % self.size)) || [0, last].contains(&(i / self.size));
+        let sum = |keep: &dyn Fn(usize) -> bool| -> f32 {
+            self.texels.iter().enumerate().filter(|(i, _)| keep(*i)).map(|(_, t)| t[3]).sum()
+        };
+        let inside = sum(&|i| !in_ring(i));
+        let gain = if inside > 0.0 { sum(&|_| true) / inside } else { 1.0 };
+        let texel = |(i, t): (usize, &[f32; 4])| {
+            if in_ring(i) {
+                return [0.0; 4];
+            }
+            let gain = if t[3] > 0.0 { gain.min(1.0 / t[3]) } else { 1.0 };
+            t.map(|c| c * gain)
+        };
+        Self { size: self.size, texels: self.texels.iter().enumerate().map(texel).collect() }
+    }
+
+    fn quantized(&self) -> TileLevel {
+        let byte = |c: f32| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
+        TileLevel { size: self.size, texels: self.texels.iter().map(|t| t.map(byte)).collect() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn built_in_sheet_is_whole() {
+        let atlas = Atlas::from_png(include_bytes!("../../../assets/atlas/clouds.png")).expect("the shipped atlas");
+        assert!(atlas.is_grey());
+        for tile in 0..TILES {
+            for mip in 0..MIP_LEVELS {
+                let level = atlas.level(tile, mip);
+                assert_eq!(level.size, TILE_SIZE >> mip);
+                let last = level.size - 1;
+                for (i, texel) in level.texels.iter().enumerate() {
+                    let (x, y) = (i % level.size, i / level.size);
+                    if x == 0 || y == 0 || x == last || y == last {
+                        assert_eq!(*texel, [0; 4], "tile {tile}, level {mip}: border at {x}, {y}");
+                    }
+                    assert!(texel[0] <= texel[3], "premultiplied: tile {tile}, level {mip}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_mip_level_keeps_the_tiles_opacity() {
+        // A disc of radius 50 texels, alpha 0.5: its mean alpha must survive borders and halving (within byte rounding).
+        let mut sheet = vec![[0_u8; 4]; SHEET_SIZE * SHEET_SIZE];
+        for y in 0..TILE_SIZE {
+            for x in 0..TILE_SIZE {
+                let (dx, dy) = (x as f32 - 63.5, y as f32 - 63.5);
+                if dx * dx + dy * dy < 2500.0 {
+                    sheet[y * SHEET_SIZE + x] = [255, 255, 255, 128];
+                }
+            }
+        }
+        let atlas = Atlas::from_sheet(&sheet);
+        let mean = |mip| {
+            let level = atlas.level(0, mip);
+            level.texels.iter().map(|t| f32::from(t[3])).sum::<f32>() / level.texels.len() as f32 / 255.0
+        };
+        for mip in 1..MIP_LEVELS {
+            assert!((mean(mip) - mean(0)).abs() <= 0.5 / 255.0, "level {mip}: {} for {}", mean(mip), mean(0));
+        }
+    }
+
+    #[test]
+    fn other_pictures_are_refused() {
+        assert!(matches!(Atlas::from_png(b"not a png"), Err(AtlasError::Png(_))));
+    }
+}

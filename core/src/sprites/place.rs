@@ -1,0 +1,227 @@
+//! A cloud's copy of its model's sprites, in the world.
+//!
+//! Positions are kept in f32 relative to the cloud's own f64 position: a cloud 1,000 km from the origin is as sharp as
+//! one at the origin.
+
+use super::{Candidate, PopulatedModel};
+use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
+use glam::{DQuat, DVec3, Vec3};
+use rustc_hash::FxHashMap;
+use std::fmt;
+
+/// A sprite that is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sprite {
+    /// Centre, metres, relative to the cloud's `origin`, along the world's axes.
+    pub position: Vec3,
+    /// Metres.
+    pub width: f32,
+    /// Metres.
+    pub height: f32,
+    /// Radians, counter-clockwise as seen.
+    pub rotation: f32,
+    /// 0 to 15, row by row.
+    pub tile: u8,
+    /// Index into the cloud's groups.
+    pub group: u32,
+    /// Its box.
+    pub box_id: BoxId,
+    /// Its number within the box.
+    pub index: u32,
+}
+
+impl Sprite {
+    /// Half the longer side, metres (MODEL §2).
+    pub fn radius(&self) -> f32 {
+        self.width.max(self.height) * 0.5
+    }
+
+    /// Half the diagonal, metres: the sphere that holds the quad however it is turned.
+    pub fn reach(&self) -> f32 {
+        0.5 * (self.width * self.width + self.height * self.height).sqrt()
+    }
+}
+
+/// What makes sprites a group.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum GroupKey {
+    /// A named group of the model's.
+    Named(GroupId),
+    /// A lump of a box of one or more.
+    Lump(BoxId, u32),
+}
+
+impl fmt::Display for GroupKey {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Named(id) => write!(f, "group-{id}"),
+            Self::Lump(id, lump) => write!(f, "box-{id}.{lump}"),
+        }
+    }
+}
+
+/// A shading group with its centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Group {
+    /// Which group.
+    pub key: GroupKey,
+    /// Metres, relative to the cloud's `origin`.
+    pub center: Vec3,
+    /// Share of the directional light away from the sun, across, and towards it.
+    pub c: [f32; 3],
+    /// How many sprites it has.
+    pub sprite_count: usize,
+}
+
+/// A cloud ready to be drawn.
+#[derive(Debug, Clone, PartialEq)]
+pub struct PlacedCloud {
+    /// Its id.
+    pub id: CloudId,
+    /// For people.
+    pub name: String,
+    /// Its model's category.
+    pub category: Category,
+    /// Where its sprites' positions count from, metres in the world.
+    pub origin: DVec3,
+    /// What was tried, before culling.
+    pub candidate_count: usize,
+    /// In the order of boxes and indices.
+    pub sprites: Vec<Sprite>,
+    /// In the order of their first sprite.
+    pub groups: Vec<Group>,
+    /// Centre of the bounding box of the sprites' centres, relative to `origin`, metres.
+    pub center: Vec3,
+    /// Half that box's diagonal, metres.
+    pub radius: f32,
+    /// Radius of a sphere around `center` that holds every quad, metres.
+    pub reach: f32,
+    /// Lowest y of the sprites' spheres, relative to `origin`, metres.
+    pub bottom: f32,
+    /// Highest y of the sprites' spheres, relative to `origin`, metres.
+    pub top: f32,
+    /// Ambient light over the height.
+    pub color_levels: ColorLevels,
+}
+
+impl PlacedCloud {
+    /// Height of a point within the cloud, 0 at its bottom, 1 at its top, clamped; 0 in a cloud without height.
+    pub fn height_of(&self, y: f32) -> f32 {
+        let extent = self.top - self.bottom;
+        if extent > 0.0 { ((y - self.bottom) / extent).clamp(0.0, 1.0) } else { 0.0 }
+    }
+}
+
+/// Puts `populated`, which comes from `model`, where `cloud` stands.
+///
+/// With a ground (its world altitude in metres), sprites whose quads would cut it are lifted until they stand on it.
+pub fn place(
+    cloud: &Cloud,
+    model: &CloudModel,
+    populated: &PopulatedModel,
+    ground_altitude_m: Option<f64>,
+) -> PlacedCloud {
+    let turn = heading_turn(cloud.heading_deg);
+    let to_world = |p: DVec3| turn * (p * cloud.scale);
+    let lowest = ground_altitude_m.map(|altitude| (altitude - cloud.position.y) as f32);
+
+    let mut group_of_key: FxHashMap<GroupKey, u32> = FxHashMap::default();
+    let mut keys: Vec<GroupKey> = Vec::new();
+    let sprites: Vec<Sprite> = populated
+        .sprites
+        .iter()
+        .map(|candidate| {
+            let key = key_of(candidate, model);
+            let group = *group_of_key.entry(key).or_insert_with(|| {
+                keys.push(key);
+                (keys.len() - 1) as u32
+            });
+            let mut sprite = Sprite {
+                position: to_world(candidate.position).as_vec3(),
+                width: (candidate.width * cloud.scale) as f32,
+                height: (candidate.height * cloud.scale) as f32,
+                rotation: candidate.rotation as f32,
+                tile: candidate.tile,
+                group,
+                box_id: candidate.box_id,
+                index: candidate.index,
+            };
+            if let Some(lowest) = lowest {
+                sprite.position.y = sprite.position.y.max(lowest + sprite.reach());
+            }
+            sprite
+        })
+        .collect();
+
+    let (low, high) = bounds(sprites.iter().map(|s| s.position));
+    let center = (low + high) * 0.5;
+    let radius = (high - low).length() * 0.5;
+    let groups = groups(&keys, &sprites, model, center, to_world);
+    PlacedCloud {
+        id: cloud.id,
+        name: cloud.name.clone(),
+        category: model.category,
+        origin: cloud.position,
+        candidate_count: populated.candidate_count,
+        bottom: sprites.iter().map(|s| s.position.y - s.radius()).reduce(f32::min).unwrap_or(0.0),
+        top: sprites.iter().map(|s| s.position.y + s.radius()).reduce(f32::max).unwrap_or(0.0),
+        radius,
+        reach: radius + sprites.iter().map(Sprite::reach).fold(0.0, f32::max),
+        center,
+        groups,
+        sprites,
+        color_levels: model.color_levels,
+    }
+}
+
+/// Clockwise from north as seen from above is a negative turn about +y.
+fn heading_turn(heading_deg: f64) -> DQuat {
+    let half = -heading_deg.to_radians() * 0.5;
+    DQuat::from_xyzw(0.0, libm::sin(half), 0.0, libm::cos(half))
+}
+
+fn key_of(candidate: &Candidate, model: &CloudModel) -> GroupKey {
+    match candidate.group.filter(|id| model.groups.iter().any(|group| group.id == *id)) {
+        Some(id) => GroupKey::Named(id),
+        None => GroupKey::Lump(candidate.box_id, candidate.lump),
+    }
+}
+
+fn bounds(points: impl Iterator<Item = Vec3>) -> (Vec3, Vec3) {
+    points.map(|p| (p, p)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p))).unwrap_or_default()
+}
+
+fn groups(
+    keys: &[GroupKey],
+    sprites: &[Sprite],
+    model: &CloudModel,
+    cloud_center: Vec3,
+    to_world: impl Fn(DVec3) -> DVec3,
+) -> Vec<Group> {
+    let mut sums = vec![(DVec3::ZERO, 0_usize); keys.len()];
+    for sprite in sprites {
+        let (sum, count) = &mut sums[sprite.group as usize];
+        *sum += sprite.position.as_dvec3();
+        *count += 1;
+    }
+    let light_of = |key: GroupKey| -> GroupLight {
+        match key {
+            GroupKey::Named(id) => model.groups.iter().find(|g| g.id == id).map(|g| g.light),
+            GroupKey::Lump(id, _) => model.boxes.iter().find(|b| b.id == id).map(|b| b.light),
+        }
+        .unwrap_or_default()
+    };
+    keys.iter()
+        .zip(sums)
+        .map(|(&key, (sum, sprite_count))| {
+            let light = light_of(key);
+            let mean = (sum / sprite_count as f64).as_vec3();
+            let center = match light.center {
+                GroupCenter::Mean => mean,
+                GroupCenter::Pulled(share) => mean.lerp(cloud_center, share as f32),
+                GroupCenter::At(point) => to_world(point).as_vec3(),
+            };
+            Group { key, center, c: [light.c_min, light.c_med, light.c_max].map(|c| c as f32), sprite_count }
+        })
+        .collect()
+}
