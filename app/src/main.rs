@@ -1,1 +1,2 @@
+//! The `cloudwright` program.
 fn main() {}

@@ -6,14 +6,16 @@
 use crate::document::Change;
 use crate::scene::{CloudModel, ModelId, Scene};
 use crate::sprites::{PlacedCloud, PopulatedModel, place, populate};
+use crate::version::Version;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
 /// Everything that the camera clock needs from the scene's clouds.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct Derived {
     clouds: Vec<PlacedCloud>,
+    version: Version,
     populated: FxHashMap<(ModelId, u64), (CloudModel, Arc<PopulatedModel>)>,
     work: WorkDone,
 }
@@ -30,7 +32,12 @@ pub struct WorkDone {
 impl Derived {
     /// Computes everything.
     pub fn new(scene: &Scene) -> Self {
-        let mut derived = Self::default();
+        let mut derived = Self {
+            clouds: Vec::new(),
+            version: Version::fresh(),
+            populated: FxHashMap::default(),
+            work: WorkDone::default(),
+        };
         derived.update(scene, &Change::everything());
         derived
     }
@@ -38,6 +45,11 @@ impl Derived {
     /// The clouds, in the scene's order; a cloud whose model is missing has no sprites to show and is left out.
     pub fn clouds(&self) -> &[PlacedCloud] {
         &self.clouds
+    }
+
+    /// Tells this state of the clouds from every other.
+    pub fn version(&self) -> Version {
+        self.version
     }
 
     /// What has been computed so far.
@@ -49,6 +61,7 @@ impl Derived {
     pub fn update(&mut self, scene: &Scene, change: &Change) {
         self.populate_stale(scene);
         let ground = scene.ground.as_ref().map(|ground| ground.altitude_m);
+        let count_before = self.clouds.len();
         let mut before: FxHashMap<_, _> =
             std::mem::take(&mut self.clouds).into_iter().map(|cloud| (cloud.id, cloud)).collect();
         let placed: Vec<(bool, PlacedCloud)> = scene
@@ -67,7 +80,11 @@ impl Derived {
                 Some((true, place(cloud, model, sprites, ground)))
             })
             .collect();
-        self.work.clouds_placed += placed.iter().filter(|(new, _)| *new).count() as u64;
+        let new = placed.iter().filter(|(new, _)| *new).count();
+        self.work.clouds_placed += new as u64;
+        if new > 0 || placed.len() != count_before {
+            self.version = Version::fresh();
+        }
         self.clouds = placed.into_iter().map(|(_, cloud)| cloud).collect();
     }
 

@@ -2,11 +2,13 @@
 
 use crate::camera::View;
 use crate::color::Rgb;
+use crate::derived::Derived;
 use crate::draw_list::DrawList;
 use crate::scene::{Camera, Scene};
 use crate::shading::Light;
 use crate::sky::{Background, Dome, GroundLook};
 use crate::sprites::{Atlas, PlacedCloud};
+use crate::version::Version;
 
 /// A scene's clouds, light and background as one eye sees them at one moment.
 #[derive(Debug, Clone)]
@@ -21,6 +23,8 @@ pub struct Frame<'a> {
     pub exposure: f32,
     /// All clouds; the list counts into them.
     pub clouds: &'a [PlacedCloud],
+    /// Tells this state of the clouds from every other.
+    pub clouds_version: Version,
     /// The sprites in view, back to front.
     pub list: DrawList,
     /// Their tiles.
@@ -28,18 +32,18 @@ pub struct Frame<'a> {
 }
 
 impl<'a> Frame<'a> {
-    /// The frame that `camera` sees of `scene` at `time_h` in `width` × `height` pixels. `clouds` is the scene's
-    /// [`crate::derived::Derived::clouds`].
+    /// The frame that `camera` sees of `scene` at `time_h` in `size` (width and height in pixels). `derived` is the
+    /// scene's.
     pub fn new(
         scene: &Scene,
-        clouds: &'a [PlacedCloud],
+        derived: &'a Derived,
         atlas: &'a Atlas,
         camera: &Camera,
         time_h: f64,
-        width: u32,
-        height: u32,
+        size: [u32; 2],
     ) -> Self {
-        let view = View::new(camera, width, height);
+        let clouds = derived.clouds();
+        let view = View::new(camera, size[0], size[1]);
         let light = Light::at(scene, time_h);
         Self {
             view,
@@ -48,6 +52,7 @@ impl<'a> Frame<'a> {
             exposure: libm::exp2(scene.sky.exposure_ev) as f32,
             list: DrawList::new(clouds, &view),
             clouds,
+            clouds_version: derived.version(),
             atlas,
         }
     }

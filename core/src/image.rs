@@ -35,6 +35,19 @@ pub struct Picture {
     pub pixels: Vec<[u8; 4]>,
 }
 
+impl LinearPicture {
+    /// Each `side` × `side` pixels averaged into one, in linear light; a rest at the right and lower edge is left out.
+    pub fn reduced(&self, side: u32) -> Self {
+        let (width, height) = (self.width / side, self.height / side);
+        let mean = |x: u32, y: u32| {
+            let block = (0..side * side)
+                .map(|i| self.pixels[((y * side + i / side) * self.width + x * side + i % side) as usize]);
+            block.fold(Rgb::BLACK, |sum, color| sum + color) * (1.0 / (side * side) as f32)
+        };
+        Self { width, height, pixels: (0..width * height).map(|i| mean(i % width, i / width)).collect() }
+    }
+}
+
 impl Picture {
     /// The pixels as bytes, for PNG files and textures.
     pub fn as_bytes(&self) -> &[u8] {

@@ -27,3 +27,4 @@ pub mod shading;
 pub mod sky;
 pub mod sprites;
 pub mod tone;
+pub mod version;

@@ -106,10 +106,10 @@ impl Walk<'_> {
     fn model(&mut self, place: &str, model: &CloudModel) {
         match model.cull_radius {
             CullRadius::SpriteFraction(share) => {
-                self.number(format!("{place}.cull_radius.sprite_fraction"), &p::CULL_FRACTION, share)
+                self.number(format!("{place}.cull_radius.sprite_fraction"), &p::CULL_FRACTION, share);
             }
             CullRadius::CloudHeightFraction(share) => {
-                self.number(format!("{place}.cull_radius.cloud_height_fraction"), &p::CULL_FRACTION, share)
+                self.number(format!("{place}.cull_radius.cloud_height_fraction"), &p::CULL_FRACTION, share);
             }
             CullRadius::Metres(metres) => self.number(format!("{place}.cull_radius.metres"), &p::CULL_METRES, metres),
         }
@@ -158,7 +158,8 @@ mod tests {
 
     #[test]
     fn refuses() {
-        let cases: [(fn(&mut Scene), &str); 6] = [
+        type Break = fn(&mut Scene);
+        let cases: [(Break, &str); 6] = [
             (|s| s.time_of_day_h = 24.0, "time_of_day_h"),
             (|s| s.clouds[0].position.y = f64::INFINITY, "clouds[0].position.y"),
             (|s| s.models[0].boxes[0].width[1] = -1.0, "models[0].boxes[0].width[1]"),

@@ -1,1 +1,27 @@
-//! stub
+//! Pixels on the CPU: the renderer that needs no GPU, driver or display.
+//!
+//! [`fast`] draws in sorted order, in tiles on all cores, front to back, and stops where nothing more shows through.
+//! [`plain`] draws the same one fragment at a time and is its oracle. [`truth`] orders every ray's own fragments and
+//! is what error figures are measured against. All three share [`prepare()`]'s sprites on the screen and one definition
+//! of a fragment ([`ScreenSprite::fragment`]).
+
+pub mod fast;
+pub mod plain;
+mod prepare;
+pub mod truth;
+
+pub use prepare::{Linear, ScreenSprite, prepare, trilinear};
+
+use crate::image::{LinearPicture, Picture};
+use crate::tone::encode;
+use rayon::prelude::*;
+
+/// Exposure, tone curve, sRGB and dither for a whole picture.
+pub fn develop(linear: &LinearPicture, exposure: f32) -> Picture {
+    let LinearPicture { width, height, ref pixels } = *linear;
+    let encode_pixel = |(i, color): (usize, &crate::color::Rgb)| {
+        let i = i as u32;
+        encode(*color * exposure, i % width, i / width)
+    };
+    Picture { width, height, pixels: pixels.par_iter().enumerate().map(encode_pixel).collect() }
+}

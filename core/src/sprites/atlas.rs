@@ -4,6 +4,7 @@
 //! sRGB. Every layer is premultiplied and has a border of alpha 0 at each level, so that tiles neither bleed into one
 //! another nor rim when filtered. Levels go down to 8 texels: below that a sprite is a dot.
 
+use crate::version::Version;
 use std::sync::LazyLock;
 
 /// Tiles on a sheet.
@@ -15,10 +16,11 @@ pub const MIP_LEVELS: usize = 5;
 const SHEET_SIZE: usize = 4 * TILE_SIZE;
 
 /// Sixteen tiles with their mip levels.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Atlas {
     levels: Vec<TileLevel>,
     grey: bool,
+    version: Version,
 }
 
 /// One tile at one mip level.
@@ -104,12 +106,17 @@ impl Atlas {
             }
         }
         let grey = levels.iter().flat_map(|level| &level.texels).all(|[r, g, b, _]| r == g && g == b);
-        Self { levels, grey }
+        Self { levels, grey, version: Version::fresh() }
     }
 
     /// One tile (0 to 15) at one mip level (0 to [`MIP_LEVELS`] − 1).
     pub fn level(&self, tile: usize, mip: usize) -> &TileLevel {
         &self.levels[tile.min(TILES - 1) * MIP_LEVELS + mip.min(MIP_LEVELS - 1)]
+    }
+
+    /// Tells this sheet from every other.
+    pub fn version(&self) -> Version {
+        self.version
     }
 
     /// Whether all texels are grey: then one channel of colour is enough.

@@ -1,0 +1,217 @@
+//! From a draw list to sprites on the screen: faced, shaded, hazed and projected, ready to be sampled at any pixel.
+//!
+//! A quad lies in a plane, so its texture coordinates are quotients of functions linear in the pixel's: with the ray
+//! ρ(x, y), the plane's normal n and offset n·c, the ray meets it at t = n·c / n·ρ, and u = ½ + (tρ − c)·right / width.
+//! One division a pixel is thus exact perspective, near and far alike.
+
+use crate::camera::{NEAR_M, View};
+use crate::color::Premultiplied;
+use crate::draw_list::{DrawSprite, eye_offset};
+use crate::facing::{corners, face_eye};
+use crate::frame::Frame;
+use crate::shading::corner_light;
+use crate::sprites::{Atlas, MIP_LEVELS, TILE_SIZE, TileLevel};
+use glam::{DVec3, Vec2, Vec3};
+use rayon::prelude::*;
+
+/// A function linear in the pixel coordinates counted from a sprite's [`ScreenSprite::anchor`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Linear {
+    /// Value at the anchor.
+    pub at_anchor: f32,
+    /// Change a pixel to the right.
+    pub dx: f32,
+    /// Change a pixel down.
+    pub dy: f32,
+}
+
+impl Linear {
+    /// The value `x`, `y` pixels from the anchor.
+    #[inline]
+    pub fn at(self, x: f32, y: f32) -> f32 {
+        self.at_anchor + x * self.dx + y * self.dy
+    }
+}
+
+/// A sprite as one view sees it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ScreenSprite {
+    /// Pixel that the linear functions count from.
+    pub anchor: Vec2,
+    /// n·ρ, the common denominator; positive where the ray meets the plane before the eye.
+    pub denominator: Linear,
+    /// u times the denominator; u runs from 0 at the left to 1 at the right.
+    pub u: Linear,
+    /// v times the denominator; v runs from 0 at the top to 1 at the bottom.
+    pub v: Linear,
+    /// View depth times the denominator, metres.
+    pub depth: f32,
+    /// 0 to 15.
+    pub tile: u8,
+    /// Mip level of one sample a pixel, not yet clamped: log₂ of the texels that fall on a pixel.
+    pub mip: f32,
+    /// Linear light and alpha at top left, top right, bottom right, bottom left; straight, what haze leaves of it.
+    pub corners: [[f32; 4]; 4],
+    /// What haze adds, for a fragment of alpha 1.
+    pub haze: [f32; 3],
+    /// Left, top, right, bottom: no pixel centre outside can be covered.
+    pub bounds: [f32; 4],
+    /// The corners on the screen, if all lie before the near plane.
+    pub outline: Option<[Vec2; 4]>,
+}
+
+/// The frame's sprites on the screen, back to front as in its list.
+pub fn prepare(frame: &Frame<'_>) -> Vec<ScreenSprite> {
+    frame.list.sprites.par_iter().with_min_len(256).map(|drawn| screen_sprite(frame, drawn)).collect()
+}
+
+fn screen_sprite(frame: &Frame<'_>, drawn: &DrawSprite) -> ScreenSprite {
+    let view = &frame.view;
+    let cloud = &frame.clouds[drawn.cloud as usize];
+    let sprite = &cloud.sprites[drawn.sprite as usize];
+    let facing = face_eye(drawn.center, sprite.rotation, view.up);
+    let quad = corners(drawn.center, facing, sprite.width, sprite.height);
+
+    let offset = eye_offset(cloud, view);
+    let group = &cloud.groups[sprite.group as usize];
+    let (haze_color, hazed) = frame.background.haze(drawn.center, drawn.center.length());
+    let lit = quad.map(|corner| {
+        let color = corner_light(corner - offset, cloud, group, &frame.light).color();
+        (color.rgb * (1.0 - hazed), color.a)
+    });
+
+    let anchor = view.project(drawn.center).map_or(Vec2::new(view.width as f32, view.height as f32) * 0.5, Vec2::floor);
+    let plane = Plane::new(view, anchor, drawn.center, facing.right.cross(facing.up));
+    let outline = outline(view, &quad);
+    let depth = view.depth(drawn.center).max(NEAR_M);
+    ScreenSprite {
+        anchor,
+        denominator: plane.denominator(),
+        u: plane.coordinate(facing.right, sprite.width),
+        v: plane.coordinate(-facing.up, sprite.height),
+        depth: plane.offset as f32,
+        tile: sprite.tile,
+        mip: (TILE_SIZE as f32 * depth * view.pixel() / (sprite.width * sprite.height).sqrt()).log2(),
+        corners: lit.map(|(rgb, a)| [rgb.r, rgb.g, rgb.b, a]),
+        haze: (haze_color * hazed).to_array(),
+        bounds: bounds(view, outline.as_ref(), drawn.center, sprite.reach()),
+        outline,
+    }
+}
+
+/// The quad's plane against the picture's rays. In f64: for small, far sprites the terms nearly cancel.
+struct Plane {
+    center: DVec3,
+    normal: DVec3,
+    /// n·c.
+    offset: f64,
+    /// The ray through the anchor, and its change a pixel to the right and down.
+    rays: [DVec3; 3],
+}
+
+impl Plane {
+    fn new(view: &View, anchor: Vec2, center: Vec3, towards_eye: Vec3) -> Self {
+        let pixel = f64::from(view.pixel());
+        let (right, up) = (view.right.as_dvec3(), view.up.as_dvec3());
+        let across = (f64::from(anchor.x) - 0.5 * f64::from(view.width)) * pixel;
+        let upwards = (0.5 * f64::from(view.height) - f64::from(anchor.y)) * pixel;
+        let (center, normal) = (center.as_dvec3(), -towards_eye.as_dvec3());
+        Self {
+            center,
+            normal,
+            offset: normal.dot(center),
+            rays: [view.forward.as_dvec3() + right * across + up * upwards, right * pixel, -up * pixel],
+        }
+    }
+
+    fn linear(&self, f: impl Fn(DVec3) -> f64) -> Linear {
+        let [at_anchor, dx, dy] = self.rays.map(|ray| f(ray) as f32);
+        Linear { at_anchor, dx, dy }
+    }
+
+    fn denominator(&self) -> Linear {
+        self.linear(|ray| ray.dot(self.normal))
+    }
+
+    /// (½ + (tρ − c)·axis / extent) · n·ρ.
+    fn coordinate(&self, axis: Vec3, extent: f32) -> Linear {
+        let axis = axis.as_dvec3() / f64::from(extent);
+        let center = self.center.dot(axis);
+        self.linear(|ray| ray.dot(self.normal) * (0.5 - center) + self.offset * ray.dot(axis))
+    }
+}
+
+fn outline(view: &View, quad: &[Vec3; 4]) -> Option<[Vec2; 4]> {
+    let [a, b, c, d] = quad.map(|corner| view.project(corner));
+    Some([a?, b?, c?, d?])
+}
+
+/// Around the outline; for a quad that the near plane cuts, around its sphere's cone, or the whole picture.
+fn bounds(view: &View, outline: Option<&[Vec2; 4]>, center: Vec3, reach: f32) -> [f32; 4] {
+    let whole = [0.0, 0.0, view.width as f32, view.height as f32];
+    let (low, high) = match outline {
+        Some(points) => (points.iter().copied().reduce(Vec2::min), points.iter().copied().reduce(Vec2::max)),
+        None if view.depth(center) < -reach => return [0.0; 4],
+        None => return whole,
+    };
+    let (low, high) = (low.unwrap_or_default(), high.unwrap_or_default());
+    [low.x.max(whole[0]), low.y.max(whole[1]), high.x.min(whole[2]), high.y.min(whole[3])]
+}
+
+impl ScreenSprite {
+    /// What the sprite shows at a pixel coordinate, with the view depth at which the ray meets it; none beside the
+    /// quad, behind the near plane, or where it is clear. `mip` is the level for the sample's footprint.
+    pub fn fragment(&self, atlas: &Atlas, x: f32, y: f32, mip: f32) -> Option<(Premultiplied, f32)> {
+        let (x, y) = (x - self.anchor.x, y - self.anchor.y);
+        let denominator = self.denominator.at(x, y);
+        if denominator <= 0.0 {
+            return None;
+        }
+        let inverse = 1.0 / denominator;
+        let (u, v, depth) = (self.u.at(x, y) * inverse, self.v.at(x, y) * inverse, self.depth * inverse);
+        if !((0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v) && depth >= NEAR_M) {
+            return None;
+        }
+        let texel = trilinear(atlas, self.tile, u, v, mip);
+        if texel[3] == 0.0 {
+            return None;
+        }
+        let [top_left, top_right, bottom_right, bottom_left] = self.corners;
+        let light: [f32; 4] = std::array::from_fn(|c| {
+            let top = top_left[c] + u * (top_right[c] - top_left[c]);
+            let bottom = bottom_left[c] + u * (bottom_right[c] - bottom_left[c]);
+            top + v * (bottom - top)
+        });
+        let channel = |c: usize| light[3] * (texel[c] * light[c] + texel[3] * self.haze[c]);
+        Some((Premultiplied { r: channel(0), g: channel(1), b: channel(2), a: light[3] * texel[3] }, depth))
+    }
+}
+
+/// Texels of a tile at (u, v), linear within and between mip levels; `mip` is clamped to those there are.
+pub fn trilinear(atlas: &Atlas, tile: u8, u: f32, v: f32, mip: f32) -> [f32; 4] {
+    let mip = mip.clamp(0.0, (MIP_LEVELS - 1) as f32);
+    let level = mip as usize;
+    let between = mip - level as f32;
+    let fine = bilinear(atlas.level(tile.into(), level), u, v);
+    if between == 0.0 {
+        return fine;
+    }
+    let coarse = bilinear(atlas.level(tile.into(), level + 1), u, v);
+    std::array::from_fn(|c| fine[c] + between * (coarse[c] - fine[c]))
+}
+
+/// Four texels around (u, v), those beyond the edge as at the edge: clear.
+fn bilinear(level: &TileLevel, u: f32, v: f32) -> [f32; 4] {
+    let last = level.size as f32 - 1.0;
+    let place = |t: f32| (t * level.size as f32 - 0.5).clamp(0.0, last);
+    let (x, y) = (place(u), place(v));
+    let (column, row) = ((x as usize).min(level.size - 2), (y as usize).min(level.size - 2));
+    let (fx, fy) = (x - column as f32, y - row as f32);
+    let at = |dx: usize, dy: usize| level.texels[(row + dy) * level.size + column + dx].map(f32::from);
+    let (a, b, c, d) = (at(0, 0), at(1, 0), at(0, 1), at(1, 1));
+    std::array::from_fn(|i| {
+        let top = a[i] + fx * (b[i] - a[i]);
+        let bottom = c[i] + fx * (d[i] - c[i]);
+        (top + fy * (bottom - top)) * (1.0 / 255.0)
+    })
+}
