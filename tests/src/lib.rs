@@ -1,1 +1,4 @@
-//! stub
+//! What tests, benches and asset makers share. Ships nothing.
+
+pub mod atlas;
+pub mod authoring;

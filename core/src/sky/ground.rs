@@ -45,6 +45,12 @@ impl GroundLook {
         (direction.y < -1e-5).then(|| -self.eye_height / direction.y)
     }
 
+    /// Length of the ground that a pixel of angle `footprint` (radians) covers, `distance` metres away in a unit
+    /// `direction`.
+    pub fn pixel_m(&self, direction: Vec3, distance: f32, footprint: f32) -> f32 {
+        distance * footprint / direction.y.abs().max(1e-6)
+    }
+
     /// Radiance of the ground at an eye-relative point, where a pixel covers `pixel_m` metres.
     pub fn color(&self, point: Vec3, pixel_m: f32) -> Rgb {
         let (x, z) = (self.eye_in_pattern[0] + point.x, self.eye_in_pattern[1] + point.z);

@@ -10,6 +10,7 @@ mod cull;
 mod place;
 
 pub use atlas::{Atlas, AtlasError, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
+pub(crate) use atlas::{FootprintTable, LEVEL_START, TABLE};
 pub use candidates::{Candidate, candidates, cull_radii};
 pub use cull::{cull, cull_slow};
 pub use place::{Group, GroupKey, PlacedCloud, Sprite, place};

@@ -4,8 +4,12 @@
 //! sRGB. Every layer is premultiplied and has a border of alpha 0 at each level, so that tiles neither bleed into one
 //! another nor rim when filtered. Levels go down to 8 texels: below that a sprite is a dot.
 
+mod footprints;
+
+pub use footprints::{FootprintTable, Footprints, LEVEL_START, TABLE};
+
 use crate::version::Version;
-use std::sync::LazyLock;
+use std::sync::{Arc, LazyLock, OnceLock};
 
 /// Tiles on a sheet.
 pub const TILES: usize = 16;
@@ -21,6 +25,7 @@ pub struct Atlas {
     levels: Vec<TileLevel>,
     grey: bool,
     version: Version,
+    footprints: OnceLock<Arc<Footprints>>,
 }
 
 /// One tile at one mip level.
@@ -53,7 +58,7 @@ pub enum AtlasError {
 
 static BUILT_IN: LazyLock<Atlas> = LazyLock::new(|| {
     // The sheet is checked in and read by a test of its own; an unreadable one would show as clear sky.
-    Atlas::from_png(include_bytes!("../../../assets/atlas/clouds.png")).unwrap_or_else(|_| Atlas::from_sheet(&[]))
+    Atlas::from_png(include_bytes!("../../../../assets/atlas/clouds.png")).unwrap_or_else(|_| Atlas::from_sheet(&[]))
 });
 
 impl Atlas {
@@ -106,12 +111,17 @@ impl Atlas {
             }
         }
         let grey = levels.iter().flat_map(|level| &level.texels).all(|[r, g, b, _]| r == g && g == b);
-        Self { levels, grey, version: Version::fresh() }
+        Self { levels, grey, version: Version::fresh(), footprints: OnceLock::new() }
     }
 
     /// One tile (0 to 15) at one mip level (0 to [`MIP_LEVELS`] − 1).
     pub fn level(&self, tile: usize, mip: usize) -> &TileLevel {
         &self.levels[tile.min(TILES - 1) * MIP_LEVELS + mip.min(MIP_LEVELS - 1)]
+    }
+
+    /// The same texels as the fast CPU renderer reads them, made on first use.
+    pub fn footprints(&self) -> &Footprints {
+        self.footprints.get_or_init(|| Arc::new(Footprints::new(self)))
     }
 
     /// Tells this sheet from every other.
@@ -174,7 +184,7 @@ mod tests {
 
     #[test]
     fn built_in_sheet_is_whole() {
-        let atlas = Atlas::from_png(include_bytes!("../../../assets/atlas/clouds.png")).expect("the shipped atlas");
+        let atlas = Atlas::from_png(include_bytes!("../../../../assets/atlas/clouds.png")).expect("the shipped atlas");
         assert!(atlas.is_grey());
         for tile in 0..TILES {
             for mip in 0..MIP_LEVELS {

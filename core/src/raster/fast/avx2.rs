@@ -1,0 +1,208 @@
+//! Eight pixels at once with AVX2 and FMA.
+//!
+//! The sums are those of [`ScreenSprite::fragment`] in another order. Weights of texels have 15 bits, so that a
+//! multiply-add of 16-bit pairs filters two texels in one instruction. Pixels beside the quad need no mask: texture
+//! coordinates are clamped to the tile, whose border is clear.
+
+use super::super::ScreenSprite;
+use super::bins::{TILE, TileRect};
+use super::tile::{LANES, Tile, spans};
+use crate::camera::NEAR_M;
+use crate::sprites::{Atlas, FootprintTable, LEVEL_START, MIP_LEVELS, TABLE, TILE_SIZE};
+use bytemuck::must_cast;
+use std::arch::x86_64::*;
+
+/// Texels' weights sum to this.
+const WEIGHT_ONE: f32 = 32_767.0;
+
+/// Proof that this processor has AVX2 and FMA, with the atlas to draw with.
+pub struct Avx2Brush<'a> {
+    atlas: &'a Atlas,
+}
+
+/// A sprite's constants, spread over the lanes where every pixel needs them.
+struct Constants {
+    fine: Level,
+    /// The next level, and how much of it.
+    coarse: Option<(Level, f32)>,
+    /// For red, green, blue, alpha: value at the top left, change along u, along v, and along both.
+    light: [[f32; 4]; 4],
+    cut_by_near: bool,
+}
+
+#[derive(Clone, Copy)]
+struct Level {
+    size: f32,
+    start: usize,
+}
+
+impl Level {
+    fn of(mip: usize) -> Self {
+        Self { size: (TILE_SIZE >> mip) as f32, start: LEVEL_START[mip] }
+    }
+}
+
+impl<'a> Avx2Brush<'a> {
+    /// None on a processor without the instructions.
+    pub fn new(atlas: &'a Atlas) -> Option<Self> {
+        (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self { atlas })
+    }
+
+    /// Adds `sprite` behind what `tile` shows already.
+    pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite) {
+        let footprints = self.atlas.footprints();
+        let (alpha_red, green_blue) = (footprints.alpha_red(sprite.tile), footprints.green_blue(sprite.tile));
+        // SAFETY: a brush exists only where `new` found AVX2 and FMA; the functions need nothing else.
+        #[allow(unsafe_code)]
+        unsafe {
+            match green_blue {
+                None => draw::<true>(tile, rect, sprite, alpha_red, alpha_red),
+                Some(green_blue) => draw::<false>(tile, rect, sprite, alpha_red, green_blue),
+            }
+        }
+    }
+}
+
+fn constants(sprite: &ScreenSprite) -> Constants {
+    let mip = sprite.mip.clamp(0.0, (MIP_LEVELS - 1) as f32);
+    let (level, between) = (mip as usize, mip - mip.floor());
+    let [top_left, top_right, bottom_right, bottom_left] = sprite.corners;
+    Constants {
+        fine: Level::of(level),
+        coarse: (between > 0.0).then(|| (Level::of(level + 1), between)),
+        light: std::array::from_fn(|c| {
+            let (along_u, along_v) = (top_right[c] - top_left[c], bottom_left[c] - top_left[c]);
+            [top_left[c], along_u, along_v, bottom_right[c] - top_left[c] - along_u - along_v]
+        }),
+        cut_by_near: sprite.outline.is_none(),
+    }
+}
+
+#[target_feature(enable = "avx2,fma")]
+fn draw<const GREY: bool>(
+    tile: &mut Tile,
+    rect: TileRect,
+    sprite: &ScreenSprite,
+    alpha_red: &FootprintTable,
+    green_blue: &FootprintTable,
+) {
+    let constants = constants(sprite);
+    let lanes = _mm256_setr_ps(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
+    let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
+    let [d_dx, u_dx, v_dx] = [sprite.denominator.dx, sprite.u.dx, sprite.v.dx].map(|dx| _mm256_set1_ps(dx));
+    for (row, span) in spans(sprite, rect) {
+        let y = first_y + row as f32;
+        let [d_row, u_row, v_row] =
+            [sprite.denominator, sprite.u, sprite.v].map(|linear| _mm256_set1_ps(linear.at(first_x, y)));
+        for group in span.start / LANES..=(span.end - 1) / LANES {
+            let x = _mm256_add_ps(_mm256_set1_ps((group * LANES) as f32), lanes);
+            let denominator = _mm256_fmadd_ps(x, d_dx, d_row);
+            let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), denominator);
+            let u = _mm256_mul_ps(_mm256_fmadd_ps(x, u_dx, u_row), inverse);
+            let v = _mm256_mul_ps(_mm256_fmadd_ps(x, v_dx, v_row), inverse);
+
+            let fine = fetch::<GREY>(constants.fine, u, v, alpha_red, green_blue);
+            let mut texel = fine;
+            if let Some((level, between)) = constants.coarse {
+                let coarse = fetch::<GREY>(level, u, v, alpha_red, green_blue);
+                let between = _mm256_set1_ps(between);
+                for (fine, coarse) in texel.iter_mut().zip(coarse) {
+                    *fine = _mm256_fmadd_ps(between, _mm256_sub_ps(coarse, *fine), *fine);
+                }
+            }
+            if constants.cut_by_near {
+                let depth = _mm256_mul_ps(_mm256_set1_ps(sprite.depth), inverse);
+                let before = _mm256_cmp_ps::<_CMP_GE_OQ>(depth, _mm256_set1_ps(NEAR_M));
+                texel = texel.map(|channel| _mm256_and_ps(channel, before));
+            }
+            blend(tile, row * (TILE / LANES) + group, &constants.light, sprite.haze, texel, u, v);
+        }
+    }
+}
+
+/// Adds eight fragments of `texel` (alpha, red, green, blue) lit by the corners' light at (u, v).
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn blend(
+    tile: &mut Tile,
+    group: usize,
+    light: &[[f32; 4]; 4],
+    haze: [f32; 3],
+    texel: [__m256; 4],
+    u: __m256,
+    v: __m256,
+) {
+    let uv = _mm256_mul_ps(u, v);
+    let lit = light.map(|[at, along_u, along_v, along_both]| {
+        let base = _mm256_fmadd_ps(u, _mm256_set1_ps(along_u), _mm256_set1_ps(at));
+        _mm256_fmadd_ps(uv, _mm256_set1_ps(along_both), _mm256_fmadd_ps(v, _mm256_set1_ps(along_v), base))
+    });
+    let through: __m256 = must_cast(tile.planes[3][group]);
+    let share = _mm256_mul_ps(through, lit[3]);
+    for c in 0..3 {
+        let hazed = _mm256_mul_ps(texel[0], _mm256_set1_ps(haze[c]));
+        let color = _mm256_fmadd_ps(texel[c + 1], lit[c], hazed);
+        let before: __m256 = must_cast(tile.planes[c][group]);
+        tile.planes[c][group] = must_cast(_mm256_fmadd_ps(share, color, before));
+    }
+    tile.planes[3][group] = must_cast(_mm256_fnmadd_ps(share, texel[0], through));
+}
+
+/// Alpha, red, green and blue of eight pixels at one mip level, 0 to 1, premultiplied.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn fetch<const GREY: bool>(
+    level: Level,
+    u: __m256,
+    v: __m256,
+    alpha_red: &FootprintTable,
+    green_blue: &FootprintTable,
+) -> [__m256; 4] {
+    let (size, half) = (_mm256_set1_ps(level.size), _mm256_set1_ps(-0.5));
+    let (zero, last) = (_mm256_setzero_ps(), _mm256_set1_ps(level.size - 1.0));
+    // The operand that is not a number loses in min and max when it stands first: such a lane reads the clear border.
+    let x = _mm256_max_ps(_mm256_min_ps(_mm256_fmadd_ps(u, size, half), last), zero);
+    let y = _mm256_max_ps(_mm256_min_ps(_mm256_fmadd_ps(v, size, half), last), zero);
+    let (column, row) = (_mm256_floor_ps(x), _mm256_floor_ps(y));
+    let (fx, fy) = (_mm256_sub_ps(x, column), _mm256_sub_ps(y, row));
+    let index = _mm256_cvtps_epi32(_mm256_fmadd_ps(row, size, column));
+    let index: [i32; LANES] = must_cast(_mm256_add_epi32(index, _mm256_set1_epi32(level.start as i32)));
+
+    // Weights of left and right texels, top and bottom, as pairs of 16-bit numbers (top low, bottom high).
+    let one = _mm256_set1_ps(WEIGHT_ONE);
+    let (right, lower) = (_mm256_mul_ps(fx, one), fy);
+    let left = _mm256_sub_ps(one, right);
+    let lower_right = _mm256_cvtps_epi32(_mm256_mul_ps(right, lower));
+    let lower_left = _mm256_cvtps_epi32(_mm256_mul_ps(left, lower));
+    let upper_right = _mm256_sub_epi32(_mm256_cvtps_epi32(right), lower_right);
+    let upper_left = _mm256_sub_epi32(_mm256_cvtps_epi32(left), lower_left);
+    let left = _mm256_or_si256(upper_left, _mm256_slli_epi32::<16>(lower_left));
+    let right = _mm256_or_si256(upper_right, _mm256_slli_epi32::<16>(lower_right));
+
+    let [alpha, red] = filter(alpha_red, &index, left, right);
+    if GREY {
+        return [alpha, red, red, red];
+    }
+    let [green, blue] = filter(green_blue, &index, left, right);
+    [alpha, red, green, blue]
+}
+
+/// The two channels of a table at eight texels, filtered.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn filter(table: &FootprintTable, index: &[i32; LANES], left: __m256i, right: __m256i) -> [__m256; 2] {
+    let at = |lane: usize| table[index[lane] as usize & (TABLE - 1)] as i64;
+    // In this order the shuffles below bring the lanes back in line.
+    let low = _mm256_set_epi64x(at(5), at(4), at(1), at(0));
+    let high = _mm256_set_epi64x(at(7), at(6), at(3), at(2));
+    let (low, high) = (_mm256_castsi256_ps(low), _mm256_castsi256_ps(high));
+    let first = _mm256_castps_si256(_mm256_shuffle_ps::<0b10_00_10_00>(low, high));
+    let second = _mm256_castps_si256(_mm256_shuffle_ps::<0b11_01_11_01>(low, high));
+    [first, second].map(|footprint| {
+        let bytes = _mm256_set1_epi32(0x00FF_00FF);
+        let left = _mm256_madd_epi16(_mm256_and_si256(footprint, bytes), left);
+        let right = _mm256_madd_epi16(_mm256_and_si256(_mm256_srli_epi32::<8>(footprint), bytes), right);
+        let sum = _mm256_cvtepi32_ps(_mm256_add_epi32(left, right));
+        _mm256_mul_ps(sum, _mm256_set1_ps(1.0 / (255.0 * WEIGHT_ONE)))
+    })
+}

@@ -1,0 +1,70 @@
+//! Which sprites may touch which tile.
+
+use super::ScreenSprite;
+use glam::Vec2;
+use rayon::prelude::*;
+
+/// Side of a tile, pixels: four planes of f32 fill half of a usual first-level cache.
+pub const TILE: usize = 32;
+
+/// A tile's place in the picture, pixels; narrower or lower than [`TILE`] at the right and lower edge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct TileRect {
+    pub left: u32,
+    pub top: u32,
+    pub width: u32,
+    pub height: u32,
+}
+
+/// For each tile the indices of its sprites, nearest first.
+pub struct Bins {
+    rows: Vec<Vec<(TileRect, Vec<u32>)>>,
+}
+
+impl Bins {
+    /// `sprites` stand back to front.
+    pub fn new(sprites: &[ScreenSprite], width: u32, height: u32) -> Self {
+        let side = TILE as u32;
+        let row = |top: u32| {
+            let rect = |left| TileRect { left, top, width: side.min(width - left), height: side.min(height - top) };
+            let mut tiles: Vec<_> = (0..width).step_by(TILE).map(|left| (rect(left), Vec::new())).collect();
+            for (index, sprite) in sprites.iter().enumerate().rev() {
+                bin(sprite, index as u32, top as f32, &mut tiles);
+            }
+            tiles
+        };
+        Self { rows: (0..height).step_by(TILE).collect::<Vec<_>>().into_par_iter().map(row).collect() }
+    }
+
+    /// All tiles, row by row.
+    pub fn tiles(&self) -> Vec<(TileRect, &[u32])> {
+        self.rows.iter().flatten().map(|(rect, members)| (*rect, members.as_slice())).collect()
+    }
+}
+
+/// Adds a sprite to those tiles of the row at `row_top` that its bounds and outline touch.
+fn bin(sprite: &ScreenSprite, index: u32, row_top: f32, tiles: &mut [(TileRect, Vec<u32>)]) {
+    let [left, top, right, bottom] = sprite.bounds;
+    if bottom <= row_top || top >= row_top + TILE as f32 || right <= left {
+        return;
+    }
+    let first = left as usize / TILE;
+    let last = (right as usize / TILE).min(tiles.len().saturating_sub(1));
+    for (rect, members) in tiles.iter_mut().take(last + 1).skip(first) {
+        if sprite.outline.is_none_or(|outline| touches(&outline, *rect)) {
+            members.push(index);
+        }
+    }
+}
+
+/// False only if an edge of the convex outline has the whole tile on its outer side.
+fn touches(outline: &[Vec2; 4], rect: TileRect) -> bool {
+    let center = Vec2::new(rect.left as f32, rect.top as f32) + TILE as f32 * 0.5;
+    // Top left, top right, bottom right, bottom left run clockwise on a screen whose y points down.
+    (0..4).all(|i| {
+        let (from, to) = (outline[i], outline[(i + 1) % 4]);
+        let inward = Vec2::new(from.y - to.y, to.x - from.x);
+        let nearest_corner = (center - from).dot(inward) + (inward.x.abs() + inward.y.abs()) * (TILE as f32 * 0.5);
+        nearest_corner >= 0.0
+    })
+}

@@ -1,0 +1,103 @@
+//! A summer afternoon: two dozen heaps of several kinds under one base altitude.
+
+use super::Sketch;
+use super::cumulus::{Cumulus, cumulus};
+use cloudwright_core::scene::{Category, Scene};
+use glam::DVec3;
+
+pub(super) fn scene() -> Scene {
+    let mut sketch = Sketch::new("Fair-weather cumulus", 23);
+    let kinds = [
+        ("humilis", Category::CumulusHumilis, Cumulus {
+            base: [330.0, 260.0],
+            height: 170.0,
+            heaps: 5,
+            heap_radius: [95.0, 140.0],
+            sprite: [85.0, 150.0],
+            peak: 0.35,
+        }),
+        ("broad humilis", Category::CumulusHumilis, Cumulus {
+            base: [560.0, 340.0],
+            height: 210.0,
+            heaps: 8,
+            heap_radius: [110.0, 160.0],
+            sprite: [100.0, 180.0],
+            peak: 0.30,
+        }),
+        ("mediocris", Category::CumulusCongestus, Cumulus {
+            base: [520.0, 430.0],
+            height: 430.0,
+            heaps: 8,
+            heap_radius: [140.0, 210.0],
+            sprite: [115.0, 215.0],
+            peak: 0.55,
+        }),
+        ("towering", Category::CumulusCongestus, Cumulus {
+            base: [640.0, 540.0],
+            height: 860.0,
+            heaps: 10,
+            heap_radius: [180.0, 260.0],
+            sprite: [140.0, 260.0],
+            peak: 0.68,
+        }),
+        ("scrap", Category::CumulusHumilis, Cumulus {
+            base: [190.0, 140.0],
+            height: 100.0,
+            heaps: 3,
+            heap_radius: [70.0, 95.0],
+            sprite: [70.0, 120.0],
+            peak: 0.2,
+        }),
+    ];
+    let models: Vec<_> = kinds
+        .iter()
+        .map(|(name, category, kind)| {
+            let model = cumulus(&mut sketch, name, *category, kind);
+            let id = model.id;
+            sketch.scene.models.push(model);
+            id
+        })
+        .collect();
+    let base = 1100.0;
+    // Kind, east, south, scale: hand-placed, so that the main view has a foreground, a hero and a far row.
+    let placements = [
+        (3, 350.0, -1900.0, 1.0),
+        (2, -1750.0, -1500.0, 1.0),
+        (1, 1900.0, -900.0, 1.05),
+        (4, -650.0, -650.0, 1.1),
+        (0, 900.0, 150.0, 1.0),
+        (4, 1550.0, -1750.0, 0.9),
+        (0, -2700.0, -300.0, 1.1),
+        (1, -900.0, -3600.0, 1.15),
+        (2, 2700.0, -3300.0, 1.1),
+        (0, -3600.0, -2600.0, 1.2),
+        (4, -2300.0, -2700.0, 1.3),
+        (2, -2900.0, -5200.0, 1.2),
+        (3, 3900.0, -5600.0, 0.95),
+        (1, 900.0, -5600.0, 1.2),
+        (0, 4600.0, -2600.0, 1.2),
+        (4, 3400.0, -1500.0, 1.2),
+        (1, -5200.0, -4700.0, 1.2),
+        (2, -1100.0, -7800.0, 1.3),
+        (1, 2500.0, -8300.0, 1.3),
+        (3, -5200.0, -8000.0, 1.05),
+        (0, -1500.0, 1500.0, 1.1),
+        (1, 2000.0, 1700.0, 1.0),
+        (2, -3200.0, 2400.0, 1.0),
+        (0, 200.0, 2900.0, 1.2),
+        (1, 6200.0, -7600.0, 1.3),
+        (2, 400.0, -11200.0, 1.4),
+    ];
+    for (i, (kind, east, south, scale)) in placements.into_iter().enumerate() {
+        let heading = sketch.roll(0.0, 360.0);
+        let drop = sketch.roll(-25.0, 25.0);
+        let name = format!("{} {}", kinds[kind].0, i + 1);
+        sketch.place(models[kind], &name, DVec3::new(east, base + drop, south), heading, scale, Some(i as u64 + 1));
+    }
+    sketch.scene.time_of_day_h = 16.0;
+    sketch.camera("main", DVec3::new(-250.0, 760.0, 2050.0), DVec3::new(150.0, 1330.0, -2000.0), 52.0);
+    sketch.camera("beneath", DVec3::new(900.0, 500.0, 900.0), DVec3::new(-300.0, 1100.0, -900.0), 60.0);
+    sketch.camera("above", DVec3::new(-1500.0, 3000.0, 3600.0), DVec3::new(300.0, 1150.0, -2500.0), 50.0);
+    sketch.camera("abreast", DVec3::new(-3300.0, 1450.0, -200.0), DVec3::new(400.0, 1500.0, -2100.0), 45.0);
+    sketch.scene
+}

@@ -1,0 +1,29 @@
+//! How the shipped scenes are made: sketches in metres that become boxes, levels and groups.
+//!
+//! The scenes are plain files that an artist could have saved; writing them from code keeps two hundred boxes
+//! consistent and lets a change of taste be made in one place. `cargo run -p cloudwright-tests --bin renew` writes
+//! them again.
+
+mod altocumulus;
+mod cumulonimbus;
+mod cumulus;
+mod fair_weather;
+mod look;
+mod overcast;
+mod single_cumulus;
+mod sketch;
+mod stratus;
+
+pub use sketch::Sketch;
+
+use cloudwright_core::scene::Scene;
+
+/// The name of each shipped scene's file, without its ending, and how it is made.
+pub const SCENES: &[(&str, fn() -> Scene)] = &[
+    ("single_cumulus", single_cumulus::scene),
+    ("fair_weather", fair_weather::scene),
+    ("cumulonimbus_dusk", cumulonimbus::scene),
+    ("morning_stratus", stratus::scene),
+    ("altocumulus", altocumulus::scene),
+    ("overcast", overcast::scene),
+];

@@ -1,0 +1,3 @@
+//! stub
+use cloudwright_core::scene::Scene;
+pub(super) fn scene() -> Scene { Scene::default() }

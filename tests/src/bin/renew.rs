@@ -1,0 +1,58 @@
+//! Makes the checked-in assets again: `renew atlas | scenes | schema | pictures DIR`.
+//!
+//! Run in the project's root. Tests say when atlas, scenes or schema are stale.
+
+use cloudwright_core::derived::Derived;
+use cloudwright_core::formats::scene_file;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::image::Picture;
+use cloudwright_core::raster::fast;
+use cloudwright_core::sprites::Atlas;
+use cloudwright_tests::{atlas, authoring};
+use std::error::Error;
+use std::fs::{self, File};
+use std::path::Path;
+
+/// The built-in sheet's seed, chosen by eye.
+const ATLAS_SEED: u32 = 1;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let args: Vec<String> = std::env::args().skip(1).collect();
+    match args.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
+        ["atlas"] => write_png("assets/atlas/clouds.png".as_ref(), 512, 512, &atlas::generate_sheet(ATLAS_SEED)),
+        ["scenes"] => authoring::SCENES.iter().try_for_each(|(name, scene)| {
+            let path = format!("assets/scenes/{name}.{}", scene_file::EXTENSION);
+            Ok(fs::write(path, scene_file::write(&scene())?)?)
+        }),
+        ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
+        ["pictures", folder] => pictures(folder.as_ref(), ""),
+        ["pictures", folder, only] => pictures(folder.as_ref(), only),
+        _ => Err("usage: renew atlas | scenes | schema | pictures DIR [SCENE]".into()),
+    }
+}
+
+/// Every camera of every shipped scene whose name has `only` in it.
+fn pictures(folder: &Path, only: &str) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(folder)?;
+    for (name, scene) in authoring::SCENES.iter().filter(|(name, _)| name.contains(only)) {
+        let scene = scene();
+        let derived = Derived::new(&scene);
+        for camera in &scene.cameras {
+            let frame = Frame::new(&scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, [1280, 720]);
+            let Picture { width, height, .. } = fast::picture(&frame);
+            let start = std::time::Instant::now();
+            let picture = fast::picture(&frame);
+            eprintln!("{name} {}: {} sprites, {:.1?}", camera.name, frame.list.sprites.len(), start.elapsed());
+            write_png(&folder.join(format!("{name}_{}.png", camera.name)), width, height, picture.as_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+fn write_png(path: &Path, width: u32, height: u32, rgba: &[u8]) -> Result<(), Box<dyn Error>> {
+    let mut encoder = png::Encoder::new(std::io::BufWriter::new(File::create(path)?), width, height);
+    encoder.set_color(png::ColorType::Rgba);
+    encoder.set_depth(png::BitDepth::Eight);
+    encoder.set_compression(png::Compression::High);
+    Ok(encoder.write_header()?.write_image_data(rgba)?)
+}
