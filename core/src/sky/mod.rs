@@ -6,12 +6,14 @@
 
 mod dome;
 mod ground;
+mod rows;
 
 pub use dome::{Dome, DomeTables};
 pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook};
+pub use rows::BackgroundRows;
 
-use crate::camera::View;
 use crate::color::Rgb;
+use crate::math::exp;
 use glam::Vec3;
 
 /// Everything behind the clouds, and the haze before it, at one moment.
@@ -43,38 +45,7 @@ impl Background {
 }
 
 /// 1 − e^(−distance / length), 0 to 1.
+#[inline(always)]
 pub fn haze_share(distance: f32, length: f32) -> f32 {
-    1.0 - libm::expf(-distance / length)
-}
-
-/// [`Background`] for a whole picture on the CPU: the dome from tables.
-#[derive(Debug, Clone)]
-pub struct BackgroundTables<'a> {
-    background: &'a Background,
-    dome: DomeTables,
-    view: View,
-}
-
-impl<'a> BackgroundTables<'a> {
-    /// For the pixels of one view.
-    pub fn new(background: &'a Background, view: &View) -> Self {
-        Self { background, dome: DomeTables::new(&background.dome), view: *view }
-    }
-
-    /// What lies behind the clouds at the centres of pixels (`left`, `y`), (`left` + 1, `y`), … into `out`; within
-    /// 0.2 % of [`Background::color`].
-    pub fn row(&self, left: u32, y: u32, out: &mut [Rgb]) {
-        let footprint = self.view.pixel();
-        for (x, pixel) in (left..).zip(out) {
-            let direction = self.view.ray(x as f32 + 0.5, y as f32 + 0.5).normalize();
-            let ground = self.background.ground.as_ref();
-            *pixel = match ground.and_then(|ground| Some((ground, ground.distance(direction)?))) {
-                None => self.dome.radiance(direction),
-                Some((ground, distance)) => {
-                    let color = ground.color(direction * distance, ground.pixel_m(direction, distance, footprint));
-                    color.mix(self.dome.horizon(direction), haze_share(distance, self.background.haze_length_m))
-                }
-            };
-        }
-    }
+    1.0 - exp(-distance / length)
 }

@@ -9,10 +9,7 @@ use super::noise::saturate;
 /// et al., *The Lumigraph*, SIGGRAPH 1996: halve with alpha as weight, then fill in from coarse to fine.
 pub fn spread(alpha: &[f32], luminance: &[f32]) -> Vec<f32> {
     // What rounds to alpha 0 shall be filled, too.
-    let weights: Vec<f32> = alpha
-        .iter()
-        .map(|&alpha| if to_byte(alpha) == 0 { 0.0 } else { alpha })
-        .collect();
+    let weights: Vec<f32> = alpha.iter().map(|&alpha| if to_byte(alpha) == 0 { 0.0 } else { alpha }).collect();
     spread_level(&weights, luminance, TILE_SIZE)
 }
 

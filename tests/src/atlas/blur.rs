@@ -12,10 +12,7 @@ pub fn blur(weights: &[f32], values: &[f32], radius: usize) -> Vec<f32> {
             sums = box_blur(&sums, step, line, radius);
         }
     }
-    sums.iter()
-        .zip(&weights)
-        .map(|(&sum, &weight)| if weight > 1e-6 { sum / weight } else { 0.0 })
-        .collect()
+    sums.iter().zip(&weights).map(|(&sum, &weight)| if weight > 1e-6 { sum / weight } else { 0.0 }).collect()
 }
 
 fn box_blur(values: &[f32], step: usize, line: usize, radius: usize) -> Vec<f32> {

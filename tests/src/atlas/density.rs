@@ -85,26 +85,16 @@ impl Puff {
         }
         let mean = |sums: Vec<f32>| {
             let pairs = sums.iter().zip(&weight);
-            pairs
-                .map(|(&sum, &weight)| if weight > 0.0 { sum / weight } else { 0.0 })
-                .collect()
+            pairs.map(|(&sum, &weight)| if weight > 0.0 { sum / weight } else { 0.0 }).collect()
         };
-        Texels {
-            openness: mean(seen),
-            nearness: mean(nearness),
-            alpha: weight,
-        }
+        Texels { openness: mean(seen), nearness: mean(nearness), alpha: weight }
     }
 
     /// How deep each cell of a slice lies inside the union of the lobes (negative outside).
     pub fn body(&self, side: usize, z: f32, generation: u32) -> Option<Vec<f32>> {
         let mut body = vec![-1.0_f32; side * side];
         let mut touched = false;
-        for lobe in self
-            .lobes
-            .iter()
-            .filter(|lobe| lobe.generation <= generation)
-        {
+        for lobe in self.lobes.iter().filter(|lobe| lobe.generation <= generation) {
             let reach = lobe.radius + self.substance.reach();
             let dz = z - lobe.centre[2];
             if dz * dz >= reach * reach {
@@ -140,11 +130,8 @@ impl Puff {
             let bend = 0.06 * perlin([p[0] * 3.1, p[1] * 3.1, p[2] * 3.1], s.seed ^ 0x51);
             let q = [p[0] + bend, p[1] - bend, p[2] + bend];
             let puffs = billow(q, s.frequency, octaves, s.seed) - 0.48;
-            let fog = if s.haze > 0.0 {
-                0.9 * perlin_fractal(q, 0.8 * s.frequency, octaves, s.seed ^ 0xF0)
-            } else {
-                0.0
-            };
+            let fog =
+                if s.haze > 0.0 { 0.9 * perlin_fractal(q, 0.8 * s.frequency, octaves, s.seed ^ 0xF0) } else { 0.0 };
             let surface = depth + s.swell * 2.0 * mix(puffs, fog, s.haze);
             let full = saturate(surface / s.edge);
             if full > 0.0 && full < 1.0 && s.tear > 0.0 {

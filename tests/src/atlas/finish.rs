@@ -39,27 +39,11 @@ struct Tone {
 
 fn tone_of(tile: u32) -> Tone {
     match tile {
-        0..=2 => Tone {
-            middle: 0.90,
-            darkest: 0.8,
-            contrast: 0.12,
-        },
+        0..=2 => Tone { middle: 0.90, darkest: 0.8, contrast: 0.12 },
         // One tile makes whole rows of bases: what it shows, it shows again and again.
-        3 => Tone {
-            middle: 0.90,
-            darkest: 0.7,
-            contrast: 0.12,
-        },
-        4..=7 => Tone {
-            middle: 0.90,
-            darkest: 0.66,
-            contrast: 0.22,
-        },
-        _ => Tone {
-            middle: 0.90,
-            darkest: 0.62,
-            contrast: 0.25,
-        },
+        3 => Tone { middle: 0.90, darkest: 0.7, contrast: 0.12 },
+        4..=7 => Tone { middle: 0.90, darkest: 0.66, contrast: 0.22 },
+        _ => Tone { middle: 0.90, darkest: 0.62, contrast: 0.25 },
     }
 }
 
@@ -82,16 +66,9 @@ fn soften(alpha: &[f32], feather: usize) -> Vec<f32> {
         .enumerate()
         .map(|(texel, (&alpha, &around))| {
             let (column, row) = (texel % TILE_SIZE, texel / TILE_SIZE);
-            let inset = column
-                .min(row)
-                .min(TILE_SIZE - 1 - column)
-                .min(TILE_SIZE - 1 - row);
+            let inset = column.min(row).min(TILE_SIZE - 1 - column).min(TILE_SIZE - 1 - row);
             let border = smoothstep(BORDER as f32 - 0.5, BORDER as f32 + 5.5, inset as f32);
-            let thinned = if feather == 0 {
-                1.0
-            } else {
-                mix(0.2, 0.99, smoothstep(0.05, 0.8, around))
-            };
+            let thinned = if feather == 0 { 1.0 } else { mix(0.2, 0.99, smoothstep(0.05, 0.8, around)) };
             alpha * border * thinned
         })
         .collect()
@@ -108,20 +85,12 @@ fn surroundings(alpha: &[f32], radius: usize) -> Vec<f32> {
 fn tone(texels: &Texels, tone: Tone) -> Vec<f32> {
     let fine = blur(&texels.alpha, &texels.openness, 2);
     let broad = blur(&texels.alpha, &texels.openness, 15);
-    let relief: Vec<f32> = fine
-        .iter()
-        .zip(&broad)
-        .map(|(&f, &b)| f - 0.7 * b)
-        .collect();
+    let relief: Vec<f32> = fine.iter().zip(&broad).map(|(&f, &b)| f - 0.7 * b).collect();
     let recess = recess(texels);
     let around = surroundings(&texels.alpha, 4);
     let peak = around.iter().copied().fold(1e-3, f32::max);
-    let mut solid: Vec<f32> = around
-        .iter()
-        .zip(&relief)
-        .filter(|&(&around, _)| around > 0.8 * peak)
-        .map(|(_, &value)| value)
-        .collect();
+    let mut solid: Vec<f32> =
+        around.iter().zip(&relief).filter(|&(&around, _)| around > 0.8 * peak).map(|(_, &value)| value).collect();
     solid.sort_by(f32::total_cmp);
     let at = |hundredths: usize| {
         let index = solid.len() * hundredths / 100;
@@ -135,11 +104,7 @@ fn tone(texels: &Texels, tone: Tone) -> Vec<f32> {
             let inside = smoothstep(0.45, 0.97, around / peak);
             let lift = ((value - median) / range + RECESS_SHARE * recess) * inside;
             // Crowns are broad and alike, creases narrow and deep; neither is cut off flat.
-            let shown = if lift > 0.0 {
-                lift / (1.0 + 1.6 * lift)
-            } else {
-                lift / (1.0 - 0.3 * lift)
-            };
+            let shown = if lift > 0.0 { lift / (1.0 + 1.6 * lift) } else { lift / (1.0 - 0.3 * lift) };
             clamp(tone.middle + tone.contrast * shown, tone.darkest, 1.0)
         })
         .collect()
@@ -153,8 +118,5 @@ const RECESS_SHARE: f32 = 2.8;
 fn recess(texels: &Texels) -> Vec<f32> {
     let near = blur(&texels.alpha, &texels.nearness, 2);
     let around = blur(&texels.alpha, &texels.nearness, 6);
-    near.iter()
-        .zip(&around)
-        .map(|(&near, &around)| clamp(near - around, -0.15, 0.06))
-        .collect()
+    near.iter().zip(&around).map(|(&near, &around)| clamp(near - around, -0.15, 0.06)).collect()
 }

@@ -58,14 +58,7 @@ impl Puff {
             let mut thickness = 0.0;
             for step in 1..=RAY_STEPS {
                 let far = RAY_STRIDE * step as f32;
-                thickness += sample(
-                    field,
-                    [
-                        p[0] + ray[0] * far,
-                        p[1] + ray[1] * far,
-                        p[2] + ray[2] * far,
-                    ],
-                );
+                thickness += sample(field, [p[0] + ray[0] * far, p[1] + ray[1] * far, p[2] + ray[2] * far]);
                 if thickness * extinction > OPAQUE {
                     break;
                 }

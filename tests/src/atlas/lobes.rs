@@ -32,11 +32,7 @@ pub fn grow(placed: &[[f32; 3]], growth: Growth, extent: f32, seed: u32) -> Vec<
         .map(|(&[x, y, radius], index)| {
             // A little depth apart, so that one lobe's flank passes before another's.
             let depth = unit(hash3(index, 17, seed)[0]) - 0.5;
-            Lobe {
-                centre: [x, y, 0.7 * radius * depth],
-                radius,
-                generation: 0,
-            }
+            Lobe { centre: [x, y, 0.7 * radius * depth], radius, generation: 0 }
         })
         .collect();
     let middle = centre_of_mass(&lobes);
@@ -45,11 +41,7 @@ pub fn grow(placed: &[[f32; 3]], growth: Growth, extent: f32, seed: u32) -> Vec<
         (2, growth.grandchildren, growth.grandchild_size),
         (3, growth.grandchildren / 2, growth.grandchild_size),
     ] {
-        let parents: Vec<Lobe> = lobes
-            .iter()
-            .copied()
-            .filter(|lobe| lobe.generation + 1 == generation)
-            .collect();
+        let parents: Vec<Lobe> = lobes.iter().copied().filter(|lobe| lobe.generation + 1 == generation).collect();
         for (parent, index) in parents.iter().zip(0_u32..) {
             for child in 0..count {
                 let key = index.wrapping_mul(64).wrapping_add(child);
@@ -69,11 +61,8 @@ fn sprout(parent: &Lobe, size: f32, middle: Vec3, generation: u32, key: u32, see
     let outward = normalise(sub(parent.centre, middle));
     // The smaller ones only a little, else they line up into horns.
     let pull = if generation == 1 { 0.55 } else { 0.2 };
-    let direction = normalise([
-        random[0] + pull * outward[0],
-        random[1] + pull * outward[1],
-        random[2] + pull * outward[2] + 0.15,
-    ]);
+    let direction =
+        normalise([random[0] + pull * outward[0], random[1] + pull * outward[1], random[2] + pull * outward[2] + 0.15]);
     // Very unequal sizes: equal knobs read as popcorn.
     let t = unit(c);
     let radius = parent.radius * size * (0.5 + 1.2 * t * t * t);

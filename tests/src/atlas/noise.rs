@@ -78,11 +78,8 @@ pub fn worley(p: Vec3, seed: u32) -> f32 {
                 if gap_x * gap_x + gap_y * gap_y + gap_z * gap_z >= nearest {
                     continue;
                 }
-                let h = hash3(
-                    cx.wrapping_add_signed(dx) ^ seed,
-                    cy.wrapping_add_signed(dy),
-                    cz.wrapping_add_signed(dz),
-                );
+                let h =
+                    hash3(cx.wrapping_add_signed(dx) ^ seed, cy.wrapping_add_signed(dy), cz.wrapping_add_signed(dz));
                 let x = dx as f32 + unit(h[0]) - fx;
                 let y = dy as f32 + unit(h[1]) - fy;
                 let z = dz as f32 + unit(h[2]) - fz;
@@ -111,24 +108,12 @@ pub fn perlin(p: Vec3, seed: u32) -> f32 {
     let (cy, fy) = split(p[1]);
     let (cz, fz) = split(p[2]);
     let corner = |dx: u32, dy: u32, dz: u32| {
-        let h = hash3(
-            cx.wrapping_add(dx) ^ seed,
-            cy.wrapping_add(dy),
-            cz.wrapping_add(dz),
-        );
+        let h = hash3(cx.wrapping_add(dx) ^ seed, cy.wrapping_add(dy), cz.wrapping_add(dz));
         slope(h[0] >> 28, fx - dx as f32, fy - dy as f32, fz - dz as f32)
     };
     let (u, v, w) = (fade(fx), fade(fy), fade(fz));
-    let near = mix(
-        mix(corner(0, 0, 0), corner(1, 0, 0), u),
-        mix(corner(0, 1, 0), corner(1, 1, 0), u),
-        v,
-    );
-    let far = mix(
-        mix(corner(0, 0, 1), corner(1, 0, 1), u),
-        mix(corner(0, 1, 1), corner(1, 1, 1), u),
-        v,
-    );
+    let near = mix(mix(corner(0, 0, 0), corner(1, 0, 0), u), mix(corner(0, 1, 0), corner(1, 1, 0), u), v);
+    let far = mix(mix(corner(0, 0, 1), corner(1, 0, 1), u), mix(corner(0, 1, 1), corner(1, 1, 1), u), v);
     mix(near, far, w)
 }
 
@@ -165,14 +150,10 @@ fn fractal(p: Vec3, frequency: f32, octaves: u32, basis: impl Fn(Vec3, u32) -> f
 }
 
 pub fn perlin_fractal(p: Vec3, frequency: f32, octaves: u32, seed: u32) -> f32 {
-    fractal(p, frequency, octaves, |q, octave| {
-        perlin(q, seed.wrapping_add(octave.wrapping_mul(0x9E37_79B9)))
-    })
+    fractal(p, frequency, octaves, |q, octave| perlin(q, seed.wrapping_add(octave.wrapping_mul(0x9E37_79B9))))
 }
 
 /// Round swellings with sharp creases between them: 1 - F1, summed (0 to 1, mean near 0.45).
 pub fn billow(p: Vec3, frequency: f32, octaves: u32, seed: u32) -> f32 {
-    fractal(p, frequency, octaves, |q, octave| {
-        1.0 - worley(q, seed.wrapping_add(octave.wrapping_mul(0x9E37_79B9)))
-    })
+    fractal(p, frequency, octaves, |q, octave| 1.0 - worley(q, seed.wrapping_add(octave.wrapping_mul(0x9E37_79B9))))
 }

@@ -41,11 +41,7 @@ impl Wisp {
             let gathered = perlin([x * 1.7, y * 1.7, 9.5], self.seed ^ 0x11);
             *openness = 0.15 * gathered - 0.1 * *alpha;
         }
-        Texels {
-            nearness: vec![0.0; alpha.len()],
-            alpha,
-            openness,
-        }
+        Texels { nearness: vec![0.0; alpha.len()], alpha, openness }
     }
 
     fn optical_depth(&self, x: f32, y: f32) -> f32 {

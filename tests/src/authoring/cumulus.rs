@@ -32,28 +32,36 @@ pub fn cumulus(sketch: &mut Sketch, name: &str, category: Category, c: &Cumulus)
     // The flat tile's edge lies a fifth of its side below its middle.
     let base_sprite = [big * 1.0, big * 1.35];
     let lift = 0.2 * base_sprite[1];
-    sketch.strew(&mut model, "base", Strew {
-        center: DVec3::new(0.0, lift, 0.0),
-        size: DVec3::new(c.base[0] * 1.4, big * 0.06, c.base[1] * 1.4),
-        count: ((c.base[0] * c.base[1] / (big * big) * 5.0) as u32).clamp(14, 60),
-        sprite: base_sprite,
-        category: Category::FlatBase,
-        light: [0.0, 0.10, 0.30],
-        pull: 0.0,
-        lumps: [3, 1, 2],
-        ..Strew::default()
-    });
-    sketch.strew(&mut model, "belly", Strew {
-        center: DVec3::new(0.0, big * 0.62, 0.0),
-        size: DVec3::new(c.base[0] * 1.45, big * 0.25, c.base[1] * 1.45),
-        count: ((c.base[0] * c.base[1] / (big * big) * 4.0) as u32).clamp(12, 50),
-        sprite: [big * 0.8, big * 1.1],
-        category: Category::Stratocumulus,
-        light: [0.0, 0.26, 0.62],
-        pull: 0.2,
-        lumps: [3, 1, 2],
-        ..Strew::default()
-    });
+    sketch.strew(
+        &mut model,
+        "base",
+        Strew {
+            center: DVec3::new(0.0, lift, 0.0),
+            size: DVec3::new(c.base[0] * 1.4, big * 0.06, c.base[1] * 1.4),
+            count: ((c.base[0] * c.base[1] / (big * big) * 5.0) as u32).clamp(14, 60),
+            sprite: base_sprite,
+            category: Category::FlatBase,
+            light: [0.0, 0.10, 0.30],
+            pull: 0.0,
+            lumps: [3, 1, 2],
+            ..Strew::default()
+        },
+    );
+    sketch.strew(
+        &mut model,
+        "belly",
+        Strew {
+            center: DVec3::new(0.0, big * 0.62, 0.0),
+            size: DVec3::new(c.base[0] * 1.45, big * 0.25, c.base[1] * 1.45),
+            count: ((c.base[0] * c.base[1] / (big * big) * 4.0) as u32).clamp(12, 50),
+            sprite: [big * 0.8, big * 1.1],
+            category: Category::Stratocumulus,
+            light: [0.0, 0.26, 0.62],
+            pull: 0.2,
+            lumps: [3, 1, 2],
+            ..Strew::default()
+        },
+    );
     let golden_deg = 137.507_764;
     for i in 0..c.heaps {
         // A sunflower's spiral strews the heaps evenly; the dice keeps it from looking laid out.
@@ -68,17 +76,25 @@ pub fn cumulus(sketch: &mut Sketch, name: &str, category: Category, c: &Cumulus)
     for i in 0..2 + c.heaps / 5 {
         let angle = sketch.roll(0.0, std::f64::consts::TAU);
         let out = sketch.roll(0.85, 1.1);
-        sketch.strew(&mut model, &format!("wisp {}", i + 1), Strew {
-            center: DVec3::new(angle.cos() * out * c.base[0], sketch.roll(0.3, 0.8) * big, angle.sin() * out * c.base[1]),
-            size: DVec3::new(big * 1.6, big * 0.4, big * 0.8),
-            count: 5,
-            sprite: [big * 0.7, big * 1.2],
-            category: Category::Wisps,
-            light: [0.1, 0.4, 0.7],
-            pull: 0.5,
-            turn_deg: -angle.to_degrees().round(),
-            ..Strew::default()
-        });
+        sketch.strew(
+            &mut model,
+            &format!("wisp {}", i + 1),
+            Strew {
+                center: DVec3::new(
+                    angle.cos() * out * c.base[0],
+                    sketch.roll(0.3, 0.8) * big,
+                    angle.sin() * out * c.base[1],
+                ),
+                size: DVec3::new(big * 1.6, big * 0.4, big * 0.8),
+                count: 5,
+                sprite: [big * 0.7, big * 1.2],
+                category: Category::Wisps,
+                light: [0.1, 0.4, 0.7],
+                pull: 0.5,
+                turn_deg: -angle.to_degrees().round(),
+                ..Strew::default()
+            },
+        );
     }
     model
 }
@@ -95,16 +111,20 @@ fn heap_at(sketch: &mut Sketch, model: &mut CloudModel, i: usize, top: DVec3, ra
         middle += DVec3::new(sketch.roll(-0.2, 0.2), 0.0, sketch.roll(-0.2, 0.2)) * radius;
         width = radius * (1.2 - 0.45 * share);
         let turn_deg = sketch.roll(0.0, 90.0).round();
-        sketch.strew(model, &format!("heap {}.{}", i + 1, storey + 1), Strew {
-            center: middle,
-            size: DVec3::new(width * 1.25, body_height / storeys as f64, width * 1.25),
-            count: 18,
-            sprite: [radius * 0.8, radius * 1.3],
-            category: Category::CumulusCongestus,
-            light: [0.0, 0.36, 0.75 + 0.25 * share],
-            turn_deg,
-            ..Strew::default()
-        });
+        sketch.strew(
+            model,
+            &format!("heap {}.{}", i + 1, storey + 1),
+            Strew {
+                center: middle,
+                size: DVec3::new(width * 1.25, body_height / storeys as f64, width * 1.25),
+                count: 18,
+                sprite: [radius * 0.8, radius * 1.3],
+                category: Category::CumulusCongestus,
+                light: [0.0, 0.36, 0.75 + 0.25 * share],
+                turn_deg,
+                ..Strew::default()
+            },
+        );
     }
     let first_deg = sketch.roll(0.0, 120.0);
     for head in 0..4 {
@@ -112,13 +132,17 @@ fn heap_at(sketch: &mut Sketch, model: &mut CloudModel, i: usize, top: DVec3, ra
         let reach = width * sketch.roll(0.35, 0.7);
         let small = width * sketch.roll(0.30, 0.50);
         let rise = sketch.roll(-0.30, 0.35) * width + 0.2 * body_height / storeys as f64;
-        sketch.strew(model, &format!("head {}.{}", i + 1, head + 1), Strew {
-            center: middle + DVec3::new(cos * reach, rise.max(floor - middle.y), sin * reach),
-            size: DVec3::new(small, small * 0.9, small) * 1.3,
-            count: 9,
-            sprite: [small * 1.0, small * 1.7],
-            light: [0.0, 0.40, 1.0],
-            ..Strew::default()
-        });
+        sketch.strew(
+            model,
+            &format!("head {}.{}", i + 1, head + 1),
+            Strew {
+                center: middle + DVec3::new(cos * reach, rise.max(floor - middle.y), sin * reach),
+                size: DVec3::new(small, small * 0.9, small) * 1.3,
+                count: 9,
+                sprite: [small * 1.0, small * 1.7],
+                light: [0.0, 0.40, 1.0],
+                ..Strew::default()
+            },
+        );
     }
 }

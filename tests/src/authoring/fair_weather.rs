@@ -8,46 +8,66 @@ use glam::DVec3;
 pub(super) fn scene() -> Scene {
     let mut sketch = Sketch::new("Fair-weather cumulus", 23);
     let kinds = [
-        ("humilis", Category::CumulusHumilis, Cumulus {
-            base: [330.0, 260.0],
-            height: 170.0,
-            heaps: 5,
-            heap_radius: [95.0, 140.0],
-            sprite: [85.0, 150.0],
-            peak: 0.35,
-        }),
-        ("broad humilis", Category::CumulusHumilis, Cumulus {
-            base: [560.0, 340.0],
-            height: 210.0,
-            heaps: 8,
-            heap_radius: [110.0, 160.0],
-            sprite: [100.0, 180.0],
-            peak: 0.30,
-        }),
-        ("mediocris", Category::CumulusCongestus, Cumulus {
-            base: [520.0, 430.0],
-            height: 430.0,
-            heaps: 8,
-            heap_radius: [140.0, 210.0],
-            sprite: [115.0, 215.0],
-            peak: 0.55,
-        }),
-        ("towering", Category::CumulusCongestus, Cumulus {
-            base: [640.0, 540.0],
-            height: 860.0,
-            heaps: 10,
-            heap_radius: [180.0, 260.0],
-            sprite: [140.0, 260.0],
-            peak: 0.68,
-        }),
-        ("scrap", Category::CumulusHumilis, Cumulus {
-            base: [190.0, 140.0],
-            height: 100.0,
-            heaps: 3,
-            heap_radius: [70.0, 95.0],
-            sprite: [70.0, 120.0],
-            peak: 0.2,
-        }),
+        (
+            "humilis",
+            Category::CumulusHumilis,
+            Cumulus {
+                base: [330.0, 260.0],
+                height: 170.0,
+                heaps: 5,
+                heap_radius: [95.0, 140.0],
+                sprite: [85.0, 150.0],
+                peak: 0.35,
+            },
+        ),
+        (
+            "broad humilis",
+            Category::CumulusHumilis,
+            Cumulus {
+                base: [560.0, 340.0],
+                height: 210.0,
+                heaps: 8,
+                heap_radius: [110.0, 160.0],
+                sprite: [100.0, 180.0],
+                peak: 0.30,
+            },
+        ),
+        (
+            "mediocris",
+            Category::CumulusCongestus,
+            Cumulus {
+                base: [520.0, 430.0],
+                height: 430.0,
+                heaps: 8,
+                heap_radius: [140.0, 210.0],
+                sprite: [115.0, 215.0],
+                peak: 0.55,
+            },
+        ),
+        (
+            "towering",
+            Category::CumulusCongestus,
+            Cumulus {
+                base: [640.0, 540.0],
+                height: 860.0,
+                heaps: 10,
+                heap_radius: [180.0, 260.0],
+                sprite: [140.0, 260.0],
+                peak: 0.68,
+            },
+        ),
+        (
+            "scrap",
+            Category::CumulusHumilis,
+            Cumulus {
+                base: [190.0, 140.0],
+                height: 100.0,
+                heaps: 3,
+                heap_radius: [70.0, 95.0],
+                sprite: [70.0, 120.0],
+                peak: 0.2,
+            },
+        ),
     ];
     let models: Vec<_> = kinds
         .iter()

@@ -1,3 +1,5 @@
 //! stub
 use cloudwright_core::scene::Scene;
-pub(super) fn scene() -> Scene { Scene::default() }
+pub(super) fn scene() -> Scene {
+    Scene::default()
+}

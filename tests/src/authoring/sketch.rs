@@ -116,7 +116,15 @@ impl Sketch {
     }
 
     /// Places `model` (already in the scene).
-    pub fn place(&mut self, model: ModelId, name: &str, position: DVec3, heading_deg: f64, scale: f64, seed: Option<u64>) {
+    pub fn place(
+        &mut self,
+        model: ModelId,
+        name: &str,
+        position: DVec3,
+        heading_deg: f64,
+        scale: f64,
+        seed: Option<u64>,
+    ) {
         let cloud = Cloud {
             id: CloudId::new(&mut self.scene.next_id),
             name: name.into(),

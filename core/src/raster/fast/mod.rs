@@ -14,7 +14,7 @@ use super::{ScreenSprite, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture, Picture};
-use crate::sky::BackgroundTables;
+use crate::sky::BackgroundRows;
 use crate::tone::encode;
 use bins::{Bins, TileRect};
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ pub fn picture(frame: &Frame<'_>) -> Picture {
 
 /// As [`picture`], with tiles done when less than `stop_below` gets through ([`NEVER_STOP`]: never).
 pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
-    let background = BackgroundTables::new(&frame.background, &frame.view);
+    let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &[Premultiplied], out: &mut [[u8; 4]]| {
         let y = rect.top + row;
         let mut behind = [Rgb::BLACK; bins::TILE];
@@ -47,7 +47,7 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
 
 /// The frame in linear light, before exposure.
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
-    let background = BackgroundTables::new(&frame.background, &frame.view);
+    let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &[Premultiplied], out: &mut [Rgb]| {
         background.row(rect.left, rect.top + row, out);
         for (pixel, cloud) in out.iter_mut().zip(clouds) {

@@ -1,0 +1,161 @@
+//! The background for a whole picture on the CPU.
+//!
+//! The sky changes slowly, so it is evaluated at nodes some half a degree apart and interpolated between; near the sun
+//! and across the horizon at every pixel. The ground's noise runs over a row at a time in loops without branches.
+//! [`Background::color`] is the oracle.
+
+use super::dome::{DomeTables, HORIZON_SINE};
+use super::{Background, GroundLook, haze_share};
+use crate::camera::View;
+use crate::color::Rgb;
+use glam::Vec3;
+
+/// Pixels between nodes, and the most that a call may ask for in one row.
+const STEP: usize = 8;
+const MOST: usize = 32;
+/// Nodes farther apart than this, radians, would miss the sky's curvature.
+const COARSEST_STEP: f32 = 0.012;
+/// Within this angle of the sun, radians, its glow has a point.
+const SUN_GLOW: f32 = 0.06;
+
+/// [`Background`] for the pixels of one view.
+#[derive(Debug, Clone)]
+pub struct BackgroundRows<'a> {
+    background: &'a Background,
+    dome: DomeTables,
+    view: View,
+}
+
+impl<'a> BackgroundRows<'a> {
+    /// For one view.
+    pub fn new(background: &'a Background, view: &View) -> Self {
+        Self { background, dome: DomeTables::new(&background.dome), view: *view }
+    }
+
+    /// What lies behind the clouds at the centres of pixels (`left`, `y`), (`left` + 1, `y`), … into `out`, at most 32;
+    /// within 0.5 % of [`Background::color`].
+    pub fn row(&self, left: u32, y: u32, out: &mut [Rgb]) {
+        for (part, left) in out.chunks_mut(MOST).zip((left..).step_by(MOST)) {
+            self.part(left, y, part);
+        }
+    }
+
+    fn part(&self, left: u32, y: u32, out: &mut [Rgb]) {
+        let direction = |x: usize| self.view.ray((left as usize + x) as f32 + 0.5, y as f32 + 0.5).normalize();
+        let (first, last) = (direction(0), direction(out.len() - 1));
+        // A row of pixels is a straight line before the eye, so what lies between its ends lies between their heights.
+        let (lowest, highest) = (first.y.min(last.y), first.y.max(last.y));
+        match &self.background.ground {
+            Some(ground) if highest < -1e-4 => self.ground(ground, left, y, &direction, out),
+            Some(_) if lowest < HORIZON_SINE => self.exact(&direction, out),
+            _ => self.sky(&direction, out),
+        }
+    }
+
+    /// Pixel by pixel.
+    fn exact(&self, direction: &impl Fn(usize) -> Vec3, out: &mut [Rgb]) {
+        for (x, pixel) in out.iter_mut().enumerate() {
+            let direction = direction(x);
+            let ground = self.background.ground.as_ref();
+            *pixel = match ground.and_then(|ground| Some((ground, ground.distance(direction)?))) {
+                None => self.dome.radiance(direction),
+                Some((ground, distance)) => {
+                    let pixel_m = ground.pixel_m(direction, distance, self.view.pixel());
+                    let color = ground.color(direction * distance, pixel_m);
+                    color.mix(self.dome.horizon(direction), haze_share(distance, self.background.haze_length_m))
+                }
+            };
+        }
+    }
+
+    fn sky(&self, direction: &impl Fn(usize) -> Vec3, out: &mut [Rgb]) {
+        let sun = self.background.dome.sun_direction;
+        let closest = out.len() as f32 * self.view.pixel() + SUN_GLOW;
+        let near_sun = direction(out.len() / 2).dot(sun) > libm::cosf(closest.min(3.0));
+        if near_sun || self.view.pixel() * STEP as f32 > COARSEST_STEP {
+            return self.exact(direction, out);
+        }
+        self.between_nodes(out, |x| self.dome.radiance(direction(x)));
+    }
+
+    fn ground(&self, ground: &GroundLook, left: u32, y: u32, direction: &impl Fn(usize) -> Vec3, out: &mut [Rgb]) {
+        let mut horizon = [Rgb::BLACK; MOST];
+        self.between_nodes(&mut horizon[..out.len()], |x| self.dome.horizon(direction(x)));
+        let first = self.view.ray(left as f32 + 0.5, y as f32 + 0.5);
+        let step = self.view.right * self.view.pixel();
+        let row = GroundRow {
+            ground,
+            first,
+            step,
+            footprint: self.view.pixel(),
+            haze_length_m: self.background.haze_length_m,
+        };
+        let [brightness, hazed] = row.draw();
+        for (x, pixel) in out.iter_mut().enumerate() {
+            *pixel = ground.dark.mix(ground.bright, brightness[x]).mix(horizon[x], hazed[x]);
+        }
+    }
+
+    /// `value` at every [`STEP`]-th place and linear between.
+    fn between_nodes(&self, out: &mut [Rgb], value: impl Fn(usize) -> Rgb) {
+        let mut from = value(0);
+        for (node, part) in out.chunks_mut(STEP).enumerate() {
+            let to = value((node + 1) * STEP);
+            for (i, pixel) in part.iter_mut().enumerate() {
+                *pixel = from.mix(to, i as f32 / STEP as f32);
+            }
+            from = to;
+        }
+    }
+}
+
+/// A row of pixels that all show the ground.
+struct GroundRow<'a> {
+    ground: &'a GroundLook,
+    /// Ray through the first pixel, and its change a pixel to the right.
+    first: Vec3,
+    step: Vec3,
+    footprint: f32,
+    haze_length_m: f32,
+}
+
+impl GroundRow<'_> {
+    /// The ground's brightness and how far it is hazed, at 32 pixels.
+    fn draw(&self) -> [[f32; MOST]; 2] {
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") {
+            // SAFETY: the one instruction set that the function needs was just found.
+            #[allow(unsafe_code)]
+            return unsafe { self.draw_avx2() };
+        }
+        self.draw_lanes()
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn draw_avx2(&self) -> [[f32; MOST]; 2] {
+        self.draw_lanes()
+    }
+
+    /// Written for the compiler to run in lanes: no branch, no call.
+    #[inline(always)]
+    #[allow(clippy::needless_range_loop)] // four arrays under one index: what the compiler runs in lanes
+    fn draw_lanes(&self) -> [[f32; MOST]; 2] {
+        let [mut x, mut z, mut pixel_m, mut hazed] = [[0.0; MOST]; 4];
+        for i in 0..MOST {
+            let along = i as f32;
+            let ray_x = self.first.x + along * self.step.x;
+            let ray_y = self.first.y + along * self.step.y;
+            let ray_z = self.first.z + along * self.step.z;
+            // Beyond the row's end a ray may miss the ground; what comes of it is not used.
+            let down = (-ray_y).max(1e-9);
+            let length = (ray_x * ray_x + ray_y * ray_y + ray_z * ray_z).sqrt();
+            let t = self.ground.eye_height / down;
+            x[i] = ray_x * t;
+            z[i] = ray_z * t;
+            pixel_m[i] = t * length * self.footprint * length / down;
+            hazed[i] = haze_share(t * length, self.haze_length_m);
+        }
+        [self.ground.brightnesses(x, z, pixel_m), hazed]
+    }
+}
