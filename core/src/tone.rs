@@ -28,19 +28,31 @@ pub fn dither(x: u32, y: u32) -> f32 {
 ///
 /// Tone curve and sRGB come from a table, within 0.07 of a step of 8 bits.
 pub fn encode(exposed: Rgb, x: u32, y: u32) -> [u8; 4] {
-    let offset = 0.5 + dither(x, y);
-    // A float to integer cast saturates.
-    let [r, g, b] = exposed.to_array().map(|c| (byte_value(c) + offset) as u8);
-    [r, g, b, 255]
+    let mut pixel = [[0; 4]];
+    encode_row(&exposed.to_array().map(|channel| [channel]), x, y, &mut pixel);
+    pixel[0]
 }
 
-/// Tone curve and sRGB for linear light, 0 to 255, not rounded.
-fn byte_value(linear: f32) -> f32 {
-    // Unlike clamp, max takes NaN to the lower end.
-    #[allow(clippy::manual_clamp)]
-    let clamped = linear.max(TABLE_FROM).min(TABLE_TO);
-    let index = (clamped.to_bits() - TABLE_FROM.to_bits()) >> TABLE_SHIFT;
-    BYTE_VALUES.get(index as usize).copied().unwrap_or(255.0)
+/// Red, green and blue of a row of pixels, apart.
+pub type Planes<const N: usize> = [[f32; N]; 3];
+
+/// As [`encode`] for up to N pixels of a row that begins at (`left`, `y`): as many as `out` holds.
+pub fn encode_row<const N: usize>(exposed: &Planes<N>, left: u32, y: u32, out: &mut [[u8; 4]]) {
+    let offset: [f32; 8] = std::array::from_fn(|x| 0.5 + dither(left + x as u32, y));
+    let table = BYTE_VALUES.as_slice();
+    let indices = exposed.map(|channel| channel.map(table_index));
+    for (x, pixel) in out.iter_mut().enumerate().take(N) {
+        // A float to integer cast saturates.
+        let byte = |c: usize| (table.get(indices[c][x] as usize).copied().unwrap_or(255.0) + offset[x % 8]) as u8;
+        *pixel = [byte(0), byte(1), byte(2), 255];
+    }
+}
+
+/// Which entry of the table holds tone curve and sRGB for linear light.
+#[inline(always)]
+#[allow(clippy::manual_clamp)] // unlike clamp, max takes NaN to the lower end
+fn table_index(linear: f32) -> u32 {
+    (linear.max(TABLE_FROM).min(TABLE_TO).to_bits() - TABLE_FROM.to_bits()) >> TABLE_SHIFT
 }
 
 /// The table's range of linear light: below, all is within 0.02 of black; above, the curve is white.
@@ -86,7 +98,7 @@ mod tests {
     fn the_table_holds_the_curve() {
         for i in 0..200_000_u32 {
             let linear = i as f32 * 1e-4 * (i % 7) as f32;
-            let error = (byte_value(linear) - exact_byte_value(linear)).abs();
+            let error = (BYTE_VALUES[table_index(linear) as usize] - exact_byte_value(linear)).abs();
             // Half a step of 1/1024 in x changes sRGB by at most x/2048 · d(sRGB)/dx ≤ 255 · 0.5/2048 = 0.062.
             assert!(error <= 0.07, "at {linear}: off by {error}");
         }

@@ -13,7 +13,9 @@ pub fn clouds(frame: &Frame<'_>) -> Layer {
         let [left, top, right, bottom] = sprite.bounds;
         for y in top as u32..(bottom.ceil() as u32).min(height) {
             for x in left as u32..(right.ceil() as u32).min(width) {
-                if let Some((fragment, _)) = sprite.fragment(frame.atlas, x as f32 + 0.5, y as f32 + 0.5, sprite.mip) {
+                if let Some((fragment, _)) =
+                    sprite.fragment(frame.atlas, x as f32 + 0.5, y as f32 + 0.5, |_| sprite.mip)
+                {
                     put_behind(&mut pixels[(y * width + x) as usize], fragment);
                 }
             }

@@ -48,7 +48,9 @@ pub struct ScreenSprite {
     pub depth: f32,
     /// 0 to 15.
     pub tile: u8,
-    /// Mip level of one sample a pixel, not yet clamped: log₂ of the texels that fall on a pixel.
+    /// Texels across a pixel at view depth 1 m.
+    pub texels_a_pixel: f32,
+    /// Mip level of the whole sprite for one sample a pixel, not yet clamped: [`ScreenSprite::mip_at`] its centre.
     pub mip: f32,
     /// Linear light and alpha at top left, top right, bottom right, bottom left; straight, what haze leaves of it.
     pub corners: [[f32; 4]; 4],
@@ -84,6 +86,7 @@ fn screen_sprite(frame: &Frame<'_>, drawn: &DrawSprite) -> ScreenSprite {
     let plane = Plane::new(view, anchor, drawn.center, facing.right.cross(facing.up));
     let outline = outline(view, &quad);
     let depth = view.depth(drawn.center).max(NEAR_M);
+    let texels_a_pixel = TILE_SIZE as f32 * view.pixel() / (sprite.width * sprite.height).sqrt();
     ScreenSprite {
         anchor,
         denominator: plane.denominator(),
@@ -91,7 +94,8 @@ fn screen_sprite(frame: &Frame<'_>, drawn: &DrawSprite) -> ScreenSprite {
         v: plane.coordinate(-facing.up, sprite.height),
         depth: plane.offset as f32,
         tile: sprite.tile,
-        mip: (TILE_SIZE as f32 * depth * view.pixel() / (sprite.width * sprite.height).sqrt()).log2(),
+        texels_a_pixel,
+        mip: (texels_a_pixel * depth).log2(),
         corners: lit.map(|(rgb, a)| [rgb.r, rgb.g, rgb.b, a]),
         haze: (haze_color * hazed).to_array(),
         bounds: bounds(view, outline.as_ref(), drawn.center, sprite.reach()),
@@ -159,9 +163,15 @@ fn bounds(view: &View, outline: Option<&[Vec2; 4]>, center: Vec3, reach: f32) ->
 }
 
 impl ScreenSprite {
+    /// Mip level at a view depth in metres for samples `spacing` pixels apart, not yet clamped: log₂ of the texels
+    /// between two samples.
+    pub fn mip_at(&self, depth: f32, spacing: f32) -> f32 {
+        (self.texels_a_pixel * depth * spacing).log2()
+    }
+
     /// What the sprite shows at a pixel coordinate, with the view depth at which the ray meets it; none beside the
-    /// quad, behind the near plane, or where it is clear. `mip` is the level for the sample's footprint.
-    pub fn fragment(&self, atlas: &Atlas, x: f32, y: f32, mip: f32) -> Option<(Premultiplied, f32)> {
+    /// quad, behind the near plane, or where it is clear. `mip_at` gives the level for a view depth.
+    pub fn fragment(&self, atlas: &Atlas, x: f32, y: f32, mip_at: impl Fn(f32) -> f32) -> Option<(Premultiplied, f32)> {
         let (x, y) = (x - self.anchor.x, y - self.anchor.y);
         let denominator = self.denominator.at(x, y);
         if denominator <= 0.0 {
@@ -172,7 +182,7 @@ impl ScreenSprite {
         if !((0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v) && depth >= NEAR_M) {
             return None;
         }
-        let texel = trilinear(atlas, self.tile, u, v, mip);
+        let texel = trilinear(atlas, self.tile, u, v, mip_at(depth));
         if texel[3] == 0.0 {
             return None;
         }

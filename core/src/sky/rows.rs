@@ -8,11 +8,13 @@ use super::dome::{DomeTables, HORIZON_SINE};
 use super::{Background, GroundLook, haze_share};
 use crate::camera::View;
 use crate::color::Rgb;
+use crate::tone::Planes;
 use glam::Vec3;
 
-/// Pixels between nodes, and the most that a call may ask for in one row.
+/// Pixels between nodes.
 const STEP: usize = 8;
-const MOST: usize = 32;
+/// The most pixels that a call may ask for.
+pub const MOST: usize = 32;
 /// Nodes farther apart than this, radians, would miss the sky's curvature.
 const COARSEST_STEP: f32 = 0.012;
 /// Within this angle of the sun, radians, its glow has a point.
@@ -32,32 +34,27 @@ impl<'a> BackgroundRows<'a> {
         Self { background, dome: DomeTables::new(&background.dome), view: *view }
     }
 
-    /// What lies behind the clouds at the centres of pixels (`left`, `y`), (`left` + 1, `y`), … into `out`, at most 32;
-    /// within 0.5 % of [`Background::color`].
-    pub fn row(&self, left: u32, y: u32, out: &mut [Rgb]) {
-        for (part, left) in out.chunks_mut(MOST).zip((left..).step_by(MOST)) {
-            self.part(left, y, part);
-        }
-    }
-
-    fn part(&self, left: u32, y: u32, out: &mut [Rgb]) {
+    /// What lies behind the clouds at the centres of `count` pixels (at most [`MOST`]) from (`left`, `y`) to the right,
+    /// into the first places of `out`; within 0.5 % of [`Background::color`].
+    pub fn row(&self, left: u32, y: u32, count: usize, out: &mut Planes<MOST>) {
+        let count = count.clamp(1, MOST);
         let direction = |x: usize| self.view.ray((left as usize + x) as f32 + 0.5, y as f32 + 0.5).normalize();
-        let (first, last) = (direction(0), direction(out.len() - 1));
+        let (first, last) = (direction(0), direction(count - 1));
         // A row of pixels is a straight line before the eye, so what lies between its ends lies between their heights.
         let (lowest, highest) = (first.y.min(last.y), first.y.max(last.y));
         match &self.background.ground {
             Some(ground) if highest < -1e-4 => self.ground(ground, left, y, &direction, out),
-            Some(_) if lowest < HORIZON_SINE => self.exact(&direction, out),
-            _ => self.sky(&direction, out),
+            Some(_) if lowest < HORIZON_SINE => self.exact(&direction, count, out),
+            _ => self.sky(&direction, count, out),
         }
     }
 
     /// Pixel by pixel.
-    fn exact(&self, direction: &impl Fn(usize) -> Vec3, out: &mut [Rgb]) {
-        for (x, pixel) in out.iter_mut().enumerate() {
+    fn exact(&self, direction: &impl Fn(usize) -> Vec3, count: usize, out: &mut Planes<MOST>) {
+        for x in 0..count {
             let direction = direction(x);
             let ground = self.background.ground.as_ref();
-            *pixel = match ground.and_then(|ground| Some((ground, ground.distance(direction)?))) {
+            let color = match ground.and_then(|ground| Some((ground, ground.distance(direction)?))) {
                 None => self.dome.radiance(direction),
                 Some((ground, distance)) => {
                     let pixel_m = ground.pixel_m(direction, distance, self.view.pixel());
@@ -65,22 +62,31 @@ impl<'a> BackgroundRows<'a> {
                     color.mix(self.dome.horizon(direction), haze_share(distance, self.background.haze_length_m))
                 }
             };
+            for (plane, channel) in out.iter_mut().zip(color.to_array()) {
+                plane[x] = channel;
+            }
         }
     }
 
-    fn sky(&self, direction: &impl Fn(usize) -> Vec3, out: &mut [Rgb]) {
+    fn sky(&self, direction: &impl Fn(usize) -> Vec3, count: usize, out: &mut Planes<MOST>) {
         let sun = self.background.dome.sun_direction;
-        let closest = out.len() as f32 * self.view.pixel() + SUN_GLOW;
-        let near_sun = direction(out.len() / 2).dot(sun) > libm::cosf(closest.min(3.0));
+        let closest = MOST as f32 * self.view.pixel() + SUN_GLOW;
+        let near_sun = direction(count / 2).dot(sun) > libm::cosf(closest.min(3.0));
         if near_sun || self.view.pixel() * STEP as f32 > COARSEST_STEP {
-            return self.exact(direction, out);
+            return self.exact(direction, count, out);
         }
-        self.between_nodes(out, |x| self.dome.radiance(direction(x)));
+        between_nodes(out, |x| self.dome.radiance(direction(x)));
     }
 
-    fn ground(&self, ground: &GroundLook, left: u32, y: u32, direction: &impl Fn(usize) -> Vec3, out: &mut [Rgb]) {
-        let mut horizon = [Rgb::BLACK; MOST];
-        self.between_nodes(&mut horizon[..out.len()], |x| self.dome.horizon(direction(x)));
+    fn ground(
+        &self,
+        ground: &GroundLook,
+        left: u32,
+        y: u32,
+        direction: &impl Fn(usize) -> Vec3,
+        out: &mut Planes<MOST>,
+    ) {
+        between_nodes(out, |x| self.dome.horizon(direction(x)));
         let first = self.view.ray(left as f32 + 0.5, y as f32 + 0.5);
         let step = self.view.right * self.view.pixel();
         let row = GroundRow {
@@ -91,20 +97,24 @@ impl<'a> BackgroundRows<'a> {
             haze_length_m: self.background.haze_length_m,
         };
         let [brightness, hazed] = row.draw();
-        for (x, pixel) in out.iter_mut().enumerate() {
-            *pixel = ground.dark.mix(ground.bright, brightness[x]).mix(horizon[x], hazed[x]);
+        for ((plane, dark), bright) in out.iter_mut().zip(ground.dark.to_array()).zip(ground.bright.to_array()) {
+            for x in 0..MOST {
+                let color = dark + brightness[x] * (bright - dark);
+                plane[x] = color + hazed[x] * (plane[x] - color);
+            }
         }
     }
+}
 
-    /// `value` at every [`STEP`]-th place and linear between.
-    fn between_nodes(&self, out: &mut [Rgb], value: impl Fn(usize) -> Rgb) {
-        let mut from = value(0);
-        for (node, part) in out.chunks_mut(STEP).enumerate() {
-            let to = value((node + 1) * STEP);
+/// `value` at every [`STEP`]-th place and linear between.
+fn between_nodes(out: &mut Planes<MOST>, value: impl Fn(usize) -> Rgb) {
+    let nodes: [[f32; 3]; MOST / STEP + 1] = std::array::from_fn(|node| value(node * STEP).to_array());
+    for (c, plane) in out.iter_mut().enumerate() {
+        for (node, part) in plane.as_chunks_mut::<STEP>().0.iter_mut().enumerate() {
+            let (from, to) = (nodes[node][c], nodes[node + 1][c]);
             for (i, pixel) in part.iter_mut().enumerate() {
-                *pixel = from.mix(to, i as f32 / STEP as f32);
+                *pixel = from + (to - from) * (i as f32 / STEP as f32);
             }
-            from = to;
         }
     }
 }

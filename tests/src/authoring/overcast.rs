@@ -1,5 +1,126 @@
-//! stub
-use cloudwright_core::scene::Scene;
+//! A stratocumulus deck over 4 km × 4 km: the scene that speed is measured on.
+//!
+//! Two hundred boxes in forty clouds, a hundred sprites each after culling. The deck is some 300 m thick: a level grey
+//! base, rolls along the wind, and flattened heads on top with narrow gaps between the rolls.
+
+use super::Sketch;
+use super::look::levels;
+use super::sketch::Strew;
+use cloudwright_core::scene::{Category, CloudModel, Scene};
+use glam::DVec3;
+
+/// Forty cells: 8 rolls of 5.
+const ROLLS: usize = 8;
+const CELLS: usize = 5;
+const EXTENT_M: f64 = 4000.0;
+const BASE_M: f64 = 900.0;
+
 pub(super) fn scene() -> Scene {
-    Scene::default()
+    let mut sketch = Sketch::new("Stratocumulus overcast", 41);
+    let models: Vec<_> = (0..8)
+        .map(|i| {
+            let model = cell(&mut sketch, i);
+            let id = model.id;
+            sketch.scene.models.push(model);
+            id
+        })
+        .collect();
+    let (roll_width, cell_length) = (EXTENT_M / ROLLS as f64, EXTENT_M / CELLS as f64);
+    for roll in 0..ROLLS {
+        let slip = sketch.roll(-0.3, 0.3);
+        for cell in 0..CELLS {
+            let x = (cell as f64 + 0.5 + slip * 0.5) * cell_length - 0.5 * EXTENT_M;
+            let z = (roll as f64 + 0.5) * roll_width - 0.5 * EXTENT_M + sketch.roll(-40.0, 40.0);
+            let position = DVec3::new(x, BASE_M + sketch.roll(-20.0, 20.0), z);
+            let heading = if sketch.roll(0.0, 1.0) < 0.5 { 0.0 } else { 180.0 } + sketch.roll(-8.0, 8.0);
+            let number = roll * CELLS + cell;
+            let model = models[(number * 3 + roll) % models.len()];
+            sketch.place(
+                model,
+                &format!("roll {}, cell {}", roll + 1, cell + 1),
+                position,
+                heading,
+                1.0,
+                Some(number as u64 + 1),
+            );
+        }
+    }
+    let scene = &mut sketch.scene;
+    scene.time_of_day_h = 9.5;
+    scene.sky.turbidity = 4.0;
+    scene.sky.haze_length_m = 14_000.0;
+    sketch.camera("main", DVec3::new(-1900.0, 1650.0, 2300.0), DVec3::new(300.0, 1050.0, -400.0), 50.0);
+    sketch.camera("below", DVec3::new(-600.0, 420.0, 1300.0), DVec3::new(200.0, 900.0, -400.0), 62.0);
+    sketch.camera("deck", DVec3::new(-300.0, 1330.0, 1500.0), DVec3::new(150.0, 1180.0, -900.0), 58.0);
+    sketch.camera("within", DVec3::new(0.0, 1050.0, 200.0), DVec3::new(400.0, 1080.0, -900.0), 60.0);
+    sketch.scene
+}
+
+/// One cell of a roll, some 850 m × 480 m: base, two bodies, a crest, heads.
+fn cell(sketch: &mut Sketch, i: usize) -> CloudModel {
+    let levels = levels([
+        (0.0, 0.30, 0.34, 0.41, 0.92),
+        (0.15, 0.35, 0.39, 0.46, 0.97),
+        (0.40, 0.50, 0.54, 0.60, 1.0),
+        (0.70, 0.64, 0.67, 0.71, 1.0),
+        (1.0, 0.72, 0.74, 0.76, 1.0),
+    ]);
+    let mut model = sketch.model(&format!("cell {}", i + 1), Category::Stratocumulus, 0.30, levels);
+    let strew = Strew { count: 118, squash: 0.75, light: [0.0, 0.34, 0.85], pull: 0.15, ..Strew::default() };
+    sketch.strew(
+        &mut model,
+        "base",
+        Strew {
+            center: DVec3::new(0.0, 45.0, 0.0),
+            size: DVec3::new(860.0, 30.0, 470.0),
+            count: 112,
+            sprite: [120.0, 190.0],
+            squash: 0.6,
+            category: Category::Stratus,
+            light: [0.0, 0.12, 0.35],
+            lumps: [5, 1, 3],
+            ..strew
+        },
+    );
+    for (side, name) in [(-1.0, "body west"), (1.0, "body east")] {
+        sketch.strew(
+            &mut model,
+            name,
+            Strew {
+                center: DVec3::new(side * 210.0, 120.0 + sketch.roll(-10.0, 15.0), sketch.roll(-30.0, 30.0)),
+                size: DVec3::new(410.0, 110.0, 400.0),
+                sprite: [90.0, 150.0],
+                category: Category::Stratocumulus,
+                lumps: [3, 1, 3],
+                ..strew
+            },
+        );
+    }
+    sketch.strew(
+        &mut model,
+        "crest",
+        Strew {
+            center: DVec3::new(sketch.roll(-60.0, 60.0), 205.0, sketch.roll(-40.0, 40.0)),
+            size: DVec3::new(720.0, 70.0, 270.0),
+            sprite: [80.0, 130.0],
+            category: Category::CumulusHumilis,
+            lumps: [5, 1, 2],
+            ..strew
+        },
+    );
+    sketch.strew(
+        &mut model,
+        "heads",
+        Strew {
+            center: DVec3::new(sketch.roll(-80.0, 80.0), 255.0, sketch.roll(-30.0, 30.0)),
+            size: DVec3::new(640.0, 60.0, 190.0),
+            count: 105,
+            sprite: [55.0, 95.0],
+            category: Category::SolidCumulus,
+            light: [0.0, 0.40, 1.0],
+            lumps: [6, 1, 2],
+            ..strew
+        },
+    );
+    model
 }

@@ -48,16 +48,17 @@ impl<'a> Avx2Brush<'a> {
         (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self { atlas })
     }
 
-    /// Adds `sprite` behind what `tile` shows already.
-    pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite) {
+    /// Adds `sprite` behind what `tile` shows already. Eight pixels that all let less than `stop_below` through are
+    /// left as they are.
+    pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
         let footprints = self.atlas.footprints();
         let (alpha_red, green_blue) = (footprints.alpha_red(sprite.tile), footprints.green_blue(sprite.tile));
         // SAFETY: a brush exists only where `new` found AVX2 and FMA; the functions need nothing else.
         #[allow(unsafe_code)]
         unsafe {
             match green_blue {
-                None => draw::<true>(tile, rect, sprite, alpha_red, alpha_red),
-                Some(green_blue) => draw::<false>(tile, rect, sprite, alpha_red, green_blue),
+                None => draw::<true>(tile, rect, sprite, alpha_red, alpha_red, stop_below),
+                Some(green_blue) => draw::<false>(tile, rect, sprite, alpha_red, green_blue, stop_below),
             }
         }
     }
@@ -85,8 +86,10 @@ fn draw<const GREY: bool>(
     sprite: &ScreenSprite,
     alpha_red: &FootprintTable,
     green_blue: &FootprintTable,
+    stop_below: f32,
 ) {
     let constants = constants(sprite);
+    let stop_below = _mm256_set1_ps(stop_below);
     let lanes = _mm256_setr_ps(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
     let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
     let [d_dx, u_dx, v_dx] = [sprite.denominator.dx, sprite.u.dx, sprite.v.dx].map(|dx| _mm256_set1_ps(dx));
@@ -95,6 +98,10 @@ fn draw<const GREY: bool>(
         let [d_row, u_row, v_row] =
             [sprite.denominator, sprite.u, sprite.v].map(|linear| _mm256_set1_ps(linear.at(first_x, y)));
         for group in span.start / LANES..=(span.end - 1) / LANES {
+            let through: __m256 = must_cast(tile.planes[3][row * (TILE / LANES) + group]);
+            if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GE_OQ>(through, stop_below)) == 0 {
+                continue;
+            }
             let x = _mm256_add_ps(_mm256_set1_ps((group * LANES) as f32), lanes);
             let denominator = _mm256_fmadd_ps(x, d_dx, d_row);
             let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), denominator);

@@ -68,3 +68,15 @@ fn touches(outline: &[Vec2; 4], rect: TileRect) -> bool {
         nearest_corner >= 0.0
     })
 }
+
+/// The picture from its tiles' pixels.
+pub fn assemble<P: Copy>(tiles: &[(TileRect, Vec<P>)], width: u32, height: u32, empty: P) -> Vec<P> {
+    let mut pixels = vec![empty; width as usize * height as usize];
+    for (rect, tile) in tiles {
+        for (row, line) in tile.chunks(rect.width as usize).enumerate() {
+            let start = (rect.top as usize + row) * width as usize + rect.left as usize;
+            pixels[start..start + line.len()].copy_from_slice(line);
+        }
+    }
+    pixels
+}

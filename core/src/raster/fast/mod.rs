@@ -7,7 +7,7 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-mod bins;
+pub(super) mod bins;
 mod tile;
 
 use super::{ScreenSprite, prepare};
@@ -15,12 +15,13 @@ use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture, Picture};
 use crate::sky::BackgroundRows;
-use crate::tone::encode;
-use bins::{Bins, TileRect};
+use crate::tone::{Planes, encode_row};
+use bins::{Bins, TILE, TileRect, assemble};
 use rayon::prelude::*;
-use tile::{Brush, Tile};
+use tile::{Brush, Tile, TileRow};
 
-/// A tile is done when less than this gets through each of its pixels. What still does shows the background.
+/// A pixel is done when less than this gets through. What still does shows the background, but for rows of a tile that
+/// are done as a whole.
 pub const STOP_BELOW: f32 = 1.0 / 1024.0;
 /// For [`clouds`]: draw to the last sprite.
 pub const NEVER_STOP: f32 = 0.0;
@@ -30,16 +31,12 @@ pub fn picture(frame: &Frame<'_>) -> Picture {
     picture_stopping(frame, STOP_BELOW)
 }
 
-/// As [`picture`], with tiles done when less than `stop_below` gets through ([`NEVER_STOP`]: never).
+/// As [`picture`], with pixels done when less than `stop_below` gets through ([`NEVER_STOP`]: never).
 pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
-    let finish = |rect: TileRect, row: u32, clouds: &[Premultiplied], out: &mut [[u8; 4]]| {
-        let y = rect.top + row;
-        let mut behind = [Rgb::BLACK; bins::TILE];
-        background.row(rect.left, y, &mut behind[..clouds.len()]);
-        for (x, (pixel, (cloud, behind))) in (rect.left..).zip(out.iter_mut().zip(clouds.iter().zip(behind))) {
-            *pixel = encode(cloud.over(behind) * frame.exposure, x, y);
-        }
+    let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [[u8; 4]]| {
+        let exposed = over_background(&background, rect, row, clouds, frame.exposure);
+        encode_row(&exposed, rect.left, rect.top + row, out);
     };
     let pixels = draw(frame, stop_below, [0; 4], finish);
     Picture { width: frame.view.width, height: frame.view.height, pixels }
@@ -48,10 +45,10 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
 /// The frame in linear light, before exposure.
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
-    let finish = |rect: TileRect, row: u32, clouds: &[Premultiplied], out: &mut [Rgb]| {
-        background.row(rect.left, rect.top + row, out);
-        for (pixel, cloud) in out.iter_mut().zip(clouds) {
-            *pixel = cloud.over(*pixel);
+    let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [Rgb]| {
+        let [r, g, b] = over_background(&background, rect, row, clouds, 1.0);
+        for (x, pixel) in out.iter_mut().enumerate() {
+            *pixel = Rgb::new(r[x], g[x], b[x]);
         }
     };
     let pixels = draw(frame, STOP_BELOW, Rgb::BLACK, finish);
@@ -60,9 +57,36 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
 
 /// The clouds alone.
 pub fn clouds(frame: &Frame<'_>, stop_below: f32) -> Layer {
-    let finish = |_, _, clouds: &[Premultiplied], out: &mut [Premultiplied]| out.copy_from_slice(clouds);
+    let finish = |_, _, [r, g, b, through]: &TileRow, out: &mut [Premultiplied]| {
+        for (x, pixel) in out.iter_mut().enumerate() {
+            *pixel = Premultiplied { r: r[x], g: g[x], b: b[x], a: 1.0 - through[x] };
+        }
+    };
     let pixels = draw(frame, stop_below, Premultiplied::CLEAR, finish);
     Layer { width: frame.view.width, height: frame.view.height, pixels }
+}
+
+/// A tile's row over what lies behind it, times `gain`. Where no pixel of the row lets anything show, nothing is put
+/// behind.
+fn over_background(
+    background: &BackgroundRows<'_>,
+    rect: TileRect,
+    row: u32,
+    clouds: &TileRow,
+    gain: f32,
+) -> Planes<TILE> {
+    let width = rect.width as usize;
+    let [r, g, b, through] = clouds;
+    let mut behind = [[0.0; TILE]; 3];
+    if through[..width].iter().any(|through| *through >= STOP_BELOW) {
+        background.row(rect.left, rect.top + row, width, &mut behind);
+    }
+    for (behind, color) in behind.iter_mut().zip([r, g, b]) {
+        for x in 0..TILE {
+            behind[x] = (color[x] + through[x] * behind[x]) * gain;
+        }
+    }
+    behind
 }
 
 /// Draws all tiles and turns each row of each into pixels: `finish(tile, row in the tile, the row's clouds, out)`.
@@ -70,7 +94,7 @@ fn draw<P: Copy + Send + Sync>(
     frame: &Frame<'_>,
     stop_below: f32,
     empty: P,
-    finish: impl Fn(TileRect, u32, &[Premultiplied], &mut [P]) + Sync,
+    finish: impl Fn(TileRect, u32, &TileRow, &mut [P]) + Sync,
 ) -> Vec<P> {
     let sprites = prepare(frame);
     let bins = Bins::new(&sprites, frame.view.width, frame.view.height);
@@ -83,7 +107,7 @@ fn draw<P: Copy + Send + Sync>(
             let tile = draw_tile(&brush, &sprites, rect, members, stop_below);
             let mut out = vec![empty; (rect.width * rect.height) as usize];
             for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
-                finish(rect, row, &tile.row(row as usize)[..rect.width as usize], line);
+                finish(rect, row, &tile.row(row as usize), line);
             }
             (rect, out)
         })
@@ -96,22 +120,11 @@ fn draw_tile(brush: &Brush<'_>, sprites: &[ScreenSprite], rect: TileRect, member
     // Looking whether a tile is opaque costs a pass over it: every eighth sprite is often enough.
     for batch in members.chunks(8) {
         for &member in batch {
-            brush.draw(&mut tile, rect, &sprites[member as usize]);
+            brush.draw(&mut tile, rect, &sprites[member as usize], stop_below);
         }
         if tile.most_through(rect) < stop_below {
             break;
         }
     }
     tile
-}
-
-fn assemble<P: Copy + Send + Sync>(tiles: &[(TileRect, Vec<P>)], width: u32, height: u32, empty: P) -> Vec<P> {
-    let mut pixels = vec![empty; width as usize * height as usize];
-    for (rect, tile) in tiles {
-        for (row, line) in tile.chunks(rect.width as usize).enumerate() {
-            let start = (rect.top as usize + row) * width as usize + rect.left as usize;
-            pixels[start..start + line.len()].copy_from_slice(line);
-        }
-    }
-    pixels
 }

@@ -3,7 +3,6 @@
 use super::super::{Linear, ScreenSprite};
 use super::bins::{TILE, TileRect};
 use crate::camera::NEAR_M;
-use crate::color::Premultiplied;
 use crate::sprites::Atlas;
 
 /// Pixels that are drawn at once.
@@ -16,6 +15,9 @@ pub struct Tile {
     pub planes: [[[f32; LANES]; TILE * TILE / LANES]; 4],
 }
 
+/// A row of a tile: red, green, blue, and what still gets through.
+pub type TileRow = [[f32; TILE]; 4];
+
 impl Tile {
     /// No colour, all gets through.
     pub fn clear() -> Self {
@@ -24,10 +26,14 @@ impl Tile {
         Self { planes }
     }
 
-    /// One row as pixels.
-    pub fn row(&self, row: usize) -> [Premultiplied; TILE] {
-        let plane = |c: usize, x: usize| self.planes[c][(row * TILE + x) / LANES][x % LANES];
-        std::array::from_fn(|x| Premultiplied { r: plane(0, x), g: plane(1, x), b: plane(2, x), a: 1.0 - plane(3, x) })
+    /// One row.
+    pub fn row(&self, row: usize) -> TileRow {
+        let groups = row * TILE / LANES..(row + 1) * TILE / LANES;
+        std::array::from_fn(|c| {
+            let mut line = [0.0; TILE];
+            line.copy_from_slice(self.planes[c][groups.clone()].as_flattened());
+            line
+        })
     }
 
     /// The most that gets through any pixel of the part within the picture.
@@ -55,31 +61,33 @@ impl<'a> Brush<'a> {
         }
     }
 
-    /// Adds `sprite` behind what `tile` shows already.
-    pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite) {
+    /// Adds `sprite` behind what `tile` shows already. Pixels that let less than `stop_below` through may be left as they
+    /// are.
+    pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = &self.avx2 {
-            return avx2.draw(tile, rect, sprite);
+            return avx2.draw(tile, rect, sprite, stop_below);
         }
-        self.draw_one_by_one(tile, rect, sprite);
+        self.draw_one_by_one(tile, rect, sprite, stop_below);
     }
 
-    fn draw_one_by_one(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite) {
+    fn draw_one_by_one(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
         for (row, span) in spans(sprite, rect) {
             for x in span {
-                let (pixel_x, pixel_y) = (rect.left as f32 + x as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
-                let Some((fragment, _)) = sprite.fragment(self.atlas, pixel_x, pixel_y, sprite.mip) else { continue };
                 let (group, lane) = ((row * TILE + x) / LANES, x % LANES);
-                let through = self.through(tile, group, lane);
+                let through = tile.planes[3][group][lane];
+                if through < stop_below {
+                    continue;
+                }
+                let (pixel_x, pixel_y) = (rect.left as f32 + x as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
+                let Some((fragment, _)) = sprite.fragment(self.atlas, pixel_x, pixel_y, |_| sprite.mip) else {
+                    continue;
+                };
                 for (c, value) in [fragment.r, fragment.g, fragment.b, -fragment.a].into_iter().enumerate() {
                     tile.planes[c][group][lane] += through * value;
                 }
             }
         }
-    }
-
-    fn through(&self, tile: &Tile, group: usize, lane: usize) -> f32 {
-        tile.planes[3][group][lane]
     }
 }
 
