@@ -9,6 +9,8 @@ use hw_skymodel::rgb::{SkyParams, SkyState};
 const SCENE_UNIT: f32 = 0.045;
 /// Sine of the elevation from which haze takes its colour, and below which the dome stays as it is there.
 pub const HORIZON_SINE: f32 = 0.03;
+/// Haze takes no more of the sun's glow than there is at this angle from it, 35°.
+pub const HAZE_GLOW_COSINE: f32 = 0.819_152;
 /// Cosines of the angle from the sun's middle between which its disc fades out (0.30° and 0.24°).
 pub const SUN_DISC_COSINES: [f32; 2] = [0.999_986_3, 0.999_991_2];
 /// The disc's radiance in units of the directional light. The true ratio would be some 10⁴; a display shows white.
@@ -19,7 +21,7 @@ const SUN_DISC_GAIN: f32 = 40.0;
 pub struct Dome {
     /// The model's nine parameters A to I, for red, green and blue.
     pub parameters: [[f32; 9]; 3],
-    /// Scales the distribution, with gain and twilight.
+    /// Scales the distribution, with grade, twilight and gain.
     pub scale: Rgb,
     /// From the eye to the sun, unit; as the lights have it, also below the horizon.
     pub sun_direction: Vec3,
@@ -33,19 +35,19 @@ impl Dome {
     /// The sky over ground of reflectance `albedo`. `turbidity` and `albedo` are clamped to the model's ranges, 1 to
     /// 10 and 0 to 1.
     pub fn new(sun_direction: Vec3, turbidity: f32, albedo: Rgb, gain: f32, directional_max: Rgb) -> Self {
-        let elevation = libm::asinf(sun_direction.y.clamp(-1.0, 1.0));
+        let elevation_deg = libm::asinf(sun_direction.y.clamp(-1.0, 1.0)).to_degrees();
         let params = SkyParams {
-            elevation: elevation.clamp(0.0, std::f32::consts::FRAC_PI_2),
+            elevation: elevation_deg.clamp(LOWEST_DEG, 90.0).to_radians().min(std::f32::consts::FRAC_PI_2),
             turbidity: if turbidity.is_finite() { turbidity.clamp(1.0, 10.0) } else { 2.5 },
             albedo: albedo.to_array().map(|a| if a.is_finite() { a.clamp(0.0, 1.0) } else { 0.0 }),
         };
         // The parameters are within the model's ranges by now; black is the answer should it think otherwise.
         let (parameters, radiances) = SkyState::new(&params).map(|state| state.raw()).unwrap_or(([0.0; 27], [0.0; 3]));
-        let scale = Rgb::new(radiances[0], radiances[1], radiances[2]) * twilight(elevation) * (SCENE_UNIT * gain);
+        let scale = Rgb::new(radiances[0], radiances[1], radiances[2]) * grade(elevation_deg) * twilight(elevation_deg);
         let level = Vec3::new(sun_direction.x, sun_direction.y.max(0.0), sun_direction.z);
         Self {
             parameters: std::array::from_fn(|c| std::array::from_fn(|i| parameters[9 * c + i])),
-            scale,
+            scale: scale * (SCENE_UNIT * gain),
             sun_direction,
             sun_disc: directional_max * (SUN_DISC_GAIN * smoothstep(-0.005, 0.005, sun_direction.y)),
             glow_direction: crate::math::unit_or(level, Vec3::Y),
@@ -58,14 +60,20 @@ impl Dome {
         self.sky(direction) + self.sun_disc * disc
     }
 
-    /// Radiance at the horizon below or above `direction` (any length): what haze turns things to.
+    /// Radiance at the horizon below or above `direction` (any length), the sun's glow left out: what haze turns things
+    /// to. With the glow, a cloud before a low sun would be brighter than one beside it.
     pub fn horizon(&self, direction: Vec3) -> Rgb {
-        self.sky(crate::math::unit_or(Vec3::new(direction.x, 0.0, direction.z), Vec3::X))
+        let (cos_theta, cos_gamma) = self.angles(Vec3::new(direction.x, 0.0, direction.z));
+        self.distribution(cos_theta, cos_gamma.min(HAZE_GLOW_COSINE))
     }
 
     /// The sky alone.
     fn sky(&self, direction: Vec3) -> Rgb {
         let (cos_theta, cos_gamma) = self.angles(direction);
+        self.distribution(cos_theta, cos_gamma)
+    }
+
+    fn distribution(&self, cos_theta: f32, cos_gamma: f32) -> Rgb {
         let gamma = libm::acosf(cos_gamma);
         let channel = |c: usize| {
             let p = &self.parameters[c];
@@ -102,13 +110,38 @@ fn acos_near(x: f32) -> f32 {
     if x < 0.0 { std::f32::consts::PI - near } else { near }
 }
 
-/// What is left of the last sky when the sun is below the horizon: light falls by about a hundred by the end of civil
-/// twilight (−6°) and turns blue, down to a night's glow.
-fn twilight(elevation: f32) -> Rgb {
-    let below_deg = (-elevation.to_degrees()).max(0.0);
-    let light = libm::expf(-0.55 * below_deg).max(0.004);
-    let blue = smoothstep(0.0, 8.0, below_deg);
-    Rgb::grey(1.0).mix(Rgb::new(0.55, 0.75, 1.25), blue) * light
+/// The sun's elevation in degrees, and what the model's red, green and blue are multiplied with there.
+///
+/// The model's data leave out ozone, whose Chappuis band takes yellow and green out of long paths, so its low sun is
+/// brown and its dusk green. And its sky falls by a factor of five from noon to dusk where an artist's tables, and a
+/// camera's exposure, fall by two. Chosen by eye against photographs of clear evenings.
+const GRADE: [(f32, Rgb); 4] = [
+    (2.5, Rgb::new(1.30, 1.42, 2.90)),
+    (8.0, Rgb::new(1.05, 1.12, 1.75)),
+    (20.0, Rgb::new(1.06, 1.08, 1.22)),
+    (45.0, Rgb::new(1.08, 1.00, 0.97)),
+];
+/// The lowest sun whose sky is taken from the model.
+const LOWEST_DEG: f32 = GRADE[0].0;
+
+fn grade(elevation_deg: f32) -> Rgb {
+    let above = GRADE.iter().position(|(key, _)| *key > elevation_deg);
+    match above {
+        Some(0) => GRADE[0].1,
+        None => GRADE[GRADE.len() - 1].1,
+        Some(i) => {
+            let ((from, a), (to, b)) = (GRADE[i - 1], GRADE[i]);
+            a.mix(b, (elevation_deg - from) / (to - from))
+        }
+    }
+}
+
+/// What is left of the last sky when the sun is lower: half at sunset, a hundredth by the end of civil twilight (−6°),
+/// ever bluer, down to a night's glow.
+fn twilight(elevation_deg: f32) -> Rgb {
+    let light = libm::expf(0.28 * (elevation_deg - LOWEST_DEG).min(0.0) + 0.4 * elevation_deg.min(0.0)).max(0.003);
+    let blue = smoothstep(0.0, 8.0, -elevation_deg);
+    Rgb::grey(1.0).mix(Rgb::new(0.50, 0.72, 1.15), blue) * light
 }
 
 /// The dome's formulas in two tables, for a picture on the CPU: the radiance is a product of a part that depends on
@@ -155,11 +188,16 @@ impl DomeTables {
 
     /// As [`Dome::horizon`], within 0.2 %.
     pub fn horizon(&self, direction: Vec3) -> Rgb {
-        self.sky(crate::math::unit_or(Vec3::new(direction.x, 0.0, direction.z), Vec3::X))
+        let (cos_theta, cos_gamma) = self.dome.angles(Vec3::new(direction.x, 0.0, direction.z));
+        self.distribution(cos_theta, cos_gamma.min(HAZE_GLOW_COSINE))
     }
 
     fn sky(&self, direction: Vec3) -> Rgb {
         let (cos_theta, cos_gamma) = self.dome.angles(direction);
+        self.distribution(cos_theta, cos_gamma)
+    }
+
+    fn distribution(&self, cos_theta: f32, cos_gamma: f32) -> Rgb {
         let split = |x: f32| {
             let step = x * Self::STEPS as f32;
             (step as usize, step - (step as usize) as f32)
@@ -207,7 +245,7 @@ mod tests {
         let direction = Vec3::new(0.3, 0.6, -0.2).normalize();
         let theirs =
             state.radiance(direction.y.acos(), direction.dot(dome.sun_direction).acos(), hw_skymodel::rgb::Channel::G);
-        let ours = dome.radiance(direction).g / SCENE_UNIT;
+        let ours = dome.radiance(direction).g / SCENE_UNIT / grade(0.5_f32.to_degrees()).g;
         assert!((ours / theirs - 1.0).abs() < 1e-3, "{ours} {theirs}");
     }
 

@@ -1,7 +1,8 @@
 //! What stands behind the clouds: sky, sun, ground, and the haze between.
 //!
 //! The sky is Hosek and Wilkie's (*An Analytic Model for Full Spectral Sky-Dome Radiance*, SIGGRAPH 2012); crate
-//! hw-skymodel supplies its coefficients. Their model ends at sunset: below, its last sky is dimmed and cooled.
+//! hw-skymodel supplies its coefficients. Low suns are graded, and below its range the last sky is dimmed and cooled
+//! (dome.rs says why).
 //! The twin in WGSL is render/src/pass/sky/sky.wgsl.
 
 mod dome;

@@ -32,18 +32,36 @@ pub fn cumulus(sketch: &mut Sketch, name: &str, category: Category, c: &Cumulus)
     // The flat tile's edge lies a fifth of its side below its middle.
     let base_sprite = [big * 1.0, big * 1.35];
     let lift = 0.2 * base_sprite[1];
+    let per_area = |sprites: f64, most: u32| ((c.base[0] * c.base[1] / (big * big) * sprites) as u32).clamp(24, most);
     sketch.strew(
         &mut model,
         "base",
         Strew {
             center: DVec3::new(0.0, lift, 0.0),
             size: DVec3::new(c.base[0] * 1.4, big * 0.06, c.base[1] * 1.4),
-            count: ((c.base[0] * c.base[1] / (big * big) * 5.0) as u32).clamp(14, 60),
+            count: per_area(8.0, 90),
             sprite: base_sprite,
             category: Category::FlatBase,
-            light: [0.0, 0.10, 0.30],
+            light: [0.0, 0.08, 0.26],
             pull: 0.0,
-            lumps: [3, 1, 2],
+            lumps: [4, 1, 3],
+            ..Strew::default()
+        },
+    );
+    // Seen from below, soft tiles close the gaps between the flat ones; squashed, they don't reach below their edge.
+    sketch.strew(
+        &mut model,
+        "underside",
+        Strew {
+            center: DVec3::new(0.0, big * 0.42, 0.0),
+            size: DVec3::new(c.base[0] * 1.4, big * 0.10, c.base[1] * 1.4),
+            count: per_area(9.0, 100),
+            sprite: [big * 1.0, big * 1.4],
+            squash: 0.55,
+            category: Category::Stratocumulus,
+            light: [0.0, 0.12, 0.36],
+            pull: 0.0,
+            lumps: [4, 1, 3],
             ..Strew::default()
         },
     );
@@ -58,7 +76,7 @@ pub fn cumulus(sketch: &mut Sketch, name: &str, category: Category, c: &Cumulus)
             category: Category::Stratocumulus,
             light: [0.0, 0.26, 0.62],
             pull: 0.2,
-            lumps: [3, 1, 2],
+            lumps: [4, 1, 3],
             ..Strew::default()
         },
     );

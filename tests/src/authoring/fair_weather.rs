@@ -115,7 +115,7 @@ pub(super) fn scene() -> Scene {
         sketch.place(models[kind], &name, DVec3::new(east, base + drop, south), heading, scale, Some(i as u64 + 1));
     }
     sketch.scene.time_of_day_h = 16.0;
-    sketch.camera("main", DVec3::new(-250.0, 760.0, 2050.0), DVec3::new(150.0, 1330.0, -2000.0), 52.0);
+    sketch.camera("main", DVec3::new(-150.0, 820.0, 1350.0), DVec3::new(50.0, 1390.0, -2000.0), 46.0);
     sketch.camera("beneath", DVec3::new(900.0, 500.0, 900.0), DVec3::new(-300.0, 1100.0, -900.0), 60.0);
     sketch.camera("above", DVec3::new(-1500.0, 3000.0, 3600.0), DVec3::new(300.0, 1150.0, -2500.0), 50.0);
     sketch.camera("abreast", DVec3::new(-3300.0, 1450.0, -200.0), DVec3::new(400.0, 1500.0, -2100.0), 45.0);

@@ -22,10 +22,10 @@ pub(super) fn scene() -> Scene {
     sketch.place(id, "cumulus", DVec3::new(0.0, base, 0.0), 20.0, 1.0, None);
     sketch.scene.time_of_day_h = 15.5;
     let middle = DVec3::new(0.0, base + 330.0, 0.0);
-    sketch.camera("main", DVec3::new(-700.0, 820.0, 2300.0), middle, 38.0);
-    sketch.camera("east", DVec3::new(2500.0, 1150.0, 300.0), middle, 36.0);
+    sketch.camera("main", DVec3::new(-700.0, 820.0, 2300.0), middle, 30.0);
+    sketch.camera("east", DVec3::new(2500.0, 1150.0, 300.0), middle, 30.0);
     sketch.camera("below", DVec3::new(-250.0, 350.0, 900.0), DVec3::new(0.0, base, 0.0), 55.0);
-    sketch.camera("above", DVec3::new(1100.0, 2500.0, 1500.0), middle, 38.0);
+    sketch.camera("above", DVec3::new(1100.0, 2500.0, 1500.0), middle, 32.0);
     sketch.camera("close", DVec3::new(-520.0, 1300.0, 760.0), DVec3::new(0.0, base + 420.0, 0.0), 50.0);
     sketch.scene
 }
