@@ -43,6 +43,7 @@ impl<'a> BackgroundRows<'a> {
         // A row of pixels is a straight line before the eye, so what lies between its ends lies between their heights.
         let (lowest, highest) = (first.y.min(last.y), first.y.max(last.y));
         match &self.background.ground {
+            _ if self.view.pixel() * STEP as f32 > COARSEST_STEP => self.exact(&direction, count, out),
             Some(ground) if highest < -1e-4 => self.ground(ground, left, y, &direction, out),
             Some(_) if lowest < HORIZON_SINE => self.exact(&direction, count, out),
             _ => self.sky(&direction, count, out),
@@ -72,7 +73,7 @@ impl<'a> BackgroundRows<'a> {
         let sun = self.background.dome.sun_direction;
         let closest = MOST as f32 * self.view.pixel() + SUN_GLOW;
         let near_sun = direction(count / 2).dot(sun) > libm::cosf(closest.min(3.0));
-        if near_sun || self.view.pixel() * STEP as f32 > COARSEST_STEP {
+        if near_sun {
             return self.exact(direction, count, out);
         }
         between_nodes(out, |x| self.dome.radiance(direction(x)));

@@ -14,7 +14,8 @@ mod single_cumulus;
 mod sketch;
 mod stratus;
 
-pub use sketch::Sketch;
+pub use look::heap as heap_levels;
+pub use sketch::{Sketch, Strew};
 
 use cloudwright_core::scene::Scene;
 

@@ -16,6 +16,7 @@ pub struct Sketch {
 }
 
 /// A box in few words.
+#[derive(Clone, Copy)]
 pub struct Strew {
     /// Middle, metres in the model.
     pub center: DVec3,

@@ -13,13 +13,12 @@ use std::error::Error;
 use std::fs::{self, File};
 use std::path::Path;
 
-/// The built-in sheet's seed, chosen by eye.
-const ATLAS_SEED: u32 = 1;
-
 fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
     match args.iter().map(String::as_str).collect::<Vec<_>>().as_slice() {
-        ["atlas"] => write_png("assets/atlas/clouds.png".as_ref(), 512, 512, &atlas::generate_sheet(ATLAS_SEED)),
+        ["atlas"] => {
+            write_png("assets/atlas/clouds.png".as_ref(), 512, 512, &atlas::generate_sheet(atlas::BUILT_IN_SEED))
+        }
         ["scenes"] => authoring::SCENES.iter().try_for_each(|(name, scene)| {
             let path = format!("assets/scenes/{name}.{}", scene_file::EXTENSION);
             Ok(fs::write(path, scene_file::write(&scene())?)?)

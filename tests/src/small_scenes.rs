@@ -1,0 +1,47 @@
+//! Scenes small enough to draw slowly.
+
+use crate::authoring::{Sketch, Strew};
+use cloudwright_core::scene::{Category, Scene};
+use glam::DVec3;
+
+/// One heap of two boxes with `count` sprites each, its middle at the origin's column, 1,000 m up; a camera `main`
+/// 900 m south of it.
+pub fn heap(count: u32) -> Scene {
+    let mut sketch = Sketch::new("heap", 7);
+    let mut model = sketch.model("heap", Category::CumulusCongestus, 0.2, crate::authoring::heap_levels());
+    let strew = Strew { count, sprite: [60.0, 140.0], ..Strew::default() };
+    sketch.strew(&mut model, "left", Strew { center: DVec3::new(-90.0, 0.0, 0.0), size: DVec3::splat(200.0), ..strew });
+    sketch.strew(
+        &mut model,
+        "right",
+        Strew { center: DVec3::new(90.0, 40.0, 30.0), size: DVec3::splat(180.0), ..strew },
+    );
+    let id = model.id;
+    sketch.scene.models.push(model);
+    sketch.place(id, "heap", DVec3::new(0.0, 1000.0, 0.0), 0.0, 1.0, None);
+    sketch.scene.time_of_day_h = 17.0;
+    sketch.camera("main", DVec3::new(0.0, 1000.0, 900.0), DVec3::new(0.0, 1010.0, 0.0), 40.0);
+    sketch.scene
+}
+
+/// A scene of single square sprites, unculled, unturned: each a box of size zero with one sprite of `side` metres.
+pub fn single_sprites(sprites: &[(DVec3, f64)]) -> Scene {
+    let mut sketch = Sketch::new("single sprites", 7);
+    let mut model = sketch.model("sprites", Category::SolidCumulus, 0.0, crate::authoring::heap_levels());
+    for (position, side) in sprites {
+        sketch.strew(
+            &mut model,
+            "sprite",
+            Strew { center: *position, size: DVec3::ZERO, count: 1, sprite: [*side, *side], ..Strew::default() },
+        );
+    }
+    for cloud_box in &mut model.boxes {
+        cloud_box.rotation_deg = [0.0, 0.0];
+    }
+    let id = model.id;
+    sketch.scene.models.push(model);
+    sketch.place(id, "sprites", DVec3::ZERO, 0.0, 1.0, None);
+    sketch.scene.ground = None;
+    sketch.camera("main", DVec3::ZERO, DVec3::NEG_Z, 50.0);
+    sketch.scene
+}

@@ -1,0 +1,102 @@
+//! What leaves for other tools says what is drawn.
+
+use cloudwright_core::camera::View;
+use cloudwright_core::derived::Derived;
+use cloudwright_core::formats::{sprites_csv, sprites_json};
+use cloudwright_core::shading::Light;
+use cloudwright_tests::small_scenes::heap;
+use glam::DVec3;
+use serde_json::Value;
+
+fn point(value: &Value) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|i| value[i].as_f64().expect("a number")))
+}
+
+fn shaded_heap() -> (Value, DVec3) {
+    let scene = heap(20);
+    let derived = Derived::new(&scene);
+    let view = View::new(&scene.cameras[0], 1280, 720);
+    let light = Light::at(&scene, 17.5);
+    let text = sprites_json::write(derived.clouds(), Some((&view, &light))).expect("finite");
+    (serde_json::from_str(&text).expect("JSON"), scene.cameras[0].position)
+}
+
+/// The shading formulas once more, in f64 and from the exported figures alone.
+#[test]
+fn corners_follow_from_the_exported_figures() {
+    let (file, eye) = shaded_heap();
+    assert_eq!((&file["format"], &file["version"]), (&Value::from("cloudwright-sprites"), &Value::from(1)));
+    assert_eq!(file["light"]["time"], "17:30");
+    let sun = point(&file["light"]["sun_direction"]);
+    let cloud = &file["clouds"][0];
+    let (bottom, top) = (cloud["bottom"].as_f64().expect("bottom"), cloud["top"].as_f64().expect("top"));
+    let levels: Vec<(f64, DVec3)> = cloud["color_levels"]
+        .as_array()
+        .expect("levels")
+        .iter()
+        .map(|l| (l["height"].as_f64().expect("height"), point(&l["rgba"])))
+        .collect();
+    assert_eq!(levels.len(), 5);
+    for sprite in cloud["sprites"].as_array().expect("sprites") {
+        let group =
+            cloud["groups"].as_array().expect("groups").iter().find(|g| g["id"] == sprite["group"]).expect("its group");
+        let corners = sprite["corners"].as_array().expect("corners");
+        for corner in corners {
+            let position = point(&corner["position"]);
+            let height = ((position.y - bottom) / (top - bottom)).clamp(0.0, 1.0);
+            assert!((corner["height"].as_f64().expect("height") - height).abs() < 1e-4);
+            let above = levels.iter().position(|l| l.0 > height).unwrap_or(4);
+            let (from, to) = (levels[above - 1], levels[above]);
+            let level = from.1.lerp(to.1, (height - from.0) / (to.0 - from.0));
+            let ambient = level * point(&file["light"]["ambient_max"]);
+            assert!(point(&corner["ambient"]).distance(ambient) < 1e-4);
+            let c = |name: &str| group[name].as_f64().expect("a number");
+            let d = (position - point(&group["center"])).normalize().dot(sun);
+            let share = if d < 0.0 {
+                c("c_med") + d * (c("c_med") - c("c_min"))
+            } else {
+                c("c_med") + d * (c("c_max") - c("c_med"))
+            };
+            let directional = point(&file["light"]["directional_max"]) * share;
+            assert!(point(&corner["directional"]).distance(directional) < 1e-4);
+            assert!(point(&corner["color"]).distance(ambient + directional) < 2e-4);
+        }
+        // Top left to top right is the width, across the line of sight.
+        let [a, b, c, d] = std::array::from_fn(|i| point(&corners[i]["position"]));
+        let to_eye = (eye - point(&sprite["position"])).normalize();
+        assert!(((b - a).length() - sprite["width"].as_f64().expect("width")).abs() < 1e-2);
+        assert!(((d - a).length() - sprite["height"].as_f64().expect("height")).abs() < 1e-2);
+        assert!((b - a).normalize().dot(to_eye).abs() < 1e-4 && (c - b).normalize().dot(to_eye).abs() < 1e-4);
+        // Turned back by its rotation, the first corner is the one at the top left.
+        let rotation = sprite["rotation_deg"].as_f64().expect("degrees").to_radians();
+        let right = DVec3::Y.cross(to_eye).normalize();
+        let along = (b - a).normalize();
+        let up = to_eye.cross(right);
+        let seen = along.dot(up).atan2(along.dot(right));
+        let off = (seen - rotation).rem_euclid(std::f64::consts::TAU);
+        assert!(off.min(std::f64::consts::TAU - off) < 1e-3, "counter-clockwise as seen: {seen} for {rotation}");
+    }
+}
+
+#[test]
+fn without_light_there_are_no_corners() {
+    let scene = heap(5);
+    let derived = Derived::new(&scene);
+    let file: Value =
+        serde_json::from_str(&sprites_json::write(derived.clouds(), None).expect("finite")).expect("JSON");
+    assert!(file.get("light").is_none() && file["clouds"][0]["sprites"][0].get("corners").is_none());
+}
+
+#[test]
+fn a_table_has_a_line_a_sprite() {
+    let mut scene = heap(20);
+    scene.clouds[0].name = "odd, \"name\"".into();
+    let derived = Derived::new(&scene);
+    let text = sprites_csv::write(derived.clouds(), None);
+    assert_eq!(text.lines().count(), 1 + derived.clouds()[0].sprites.len());
+    assert!(text.lines().nth(1).expect("a sprite").contains("\"odd, \"\"name\"\"\""));
+    let view = View::new(&scene.cameras[0], 100, 100);
+    let light = Light::at(&scene, 12.0);
+    let shaded = sprites_csv::write(derived.clouds(), Some((&view, &light)));
+    assert_eq!(shaded.lines().next().map(|head| head.split(',').count()), Some(13 + 16));
+}

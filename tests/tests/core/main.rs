@@ -1,0 +1,10 @@
+//! The core through its own doors: scenes in, sprites, files and pictures out. Needs no GPU and no display.
+
+mod architecture;
+mod assets;
+mod export;
+mod raster;
+mod scene_file;
+mod shading;
+mod sprites;
+mod truth;

@@ -1,0 +1,156 @@
+//! The fast CPU renderer against the plain one, and against itself.
+
+use cloudwright_core::color::Premultiplied;
+use cloudwright_core::derived::Derived;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::image::Layer;
+use cloudwright_core::raster::{fast, plain};
+use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sprites::Atlas;
+use cloudwright_tests::authoring;
+use cloudwright_tests::small_scenes::{heap, single_sprites};
+use glam::DVec3;
+
+const SIZE: [u32; 2] = [214, 120];
+
+fn with_frame<T>(scene: &Scene, camera: &Camera, size: [u32; 2], f: impl FnOnce(&Frame<'_>) -> T) -> T {
+    let derived = Derived::new(scene);
+    f(&Frame::new(scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, size))
+}
+
+fn largest_difference(a: &Layer, b: &Layer) -> f32 {
+    let channels = |p: &Premultiplied| [p.r, p.g, p.b, p.a];
+    let difference = |(a, b)| channels(a).into_iter().zip(channels(b)).map(|(x, y)| (x - y).abs()).fold(0.0, f32::max);
+    a.pixels.iter().zip(&b.pixels).map(difference).fold(0.0, f32::max)
+}
+
+/// Scenes and cameras where renderers tend to differ.
+fn cases() -> Vec<(String, Scene, Camera)> {
+    let mut cases: Vec<(String, Scene, Camera)> = Vec::new();
+    for (name, make) in authoring::SCENES {
+        let scene = make();
+        cases.extend(
+            scene.cameras.iter().map(|camera| (format!("{name} {}", camera.name), scene.clone(), camera.clone())),
+        );
+    }
+    let scene = heap(40);
+    for (name, position, heading_deg, pitch_deg, roll_deg) in [
+        ("inside", DVec3::new(10.0, 1010.0, 5.0), 30.0, 5.0, 0.0),
+        ("straight up", DVec3::new(20.0, 700.0, 10.0), 0.0, 90.0, 0.0),
+        ("straight down", DVec3::new(20.0, 1600.0, 10.0), 45.0, -90.0, 0.0),
+        ("rolled", DVec3::new(0.0, 1000.0, 700.0), 0.0, 0.0, 77.0),
+        ("far away", DVec3::new(0.0, 1000.0, 200_000.0), 0.0, 0.0, 0.0),
+        ("turned away", DVec3::new(0.0, 1000.0, 700.0), 180.0, 0.0, 0.0),
+    ] {
+        let camera = Camera { heading_deg, pitch_deg, roll_deg, ..Camera::free(position) };
+        cases.push((name.into(), scene.clone(), camera));
+    }
+    let scene = single_sprites(&[
+        (DVec3::new(0.02, 0.0, -0.12), 0.5),
+        (DVec3::new(0.0, 0.0, 0.0), 10.0),
+        (DVec3::new(3.0, -1.0, -0.05), 40.0),
+        (DVec3::new(-20_000.0, 0.0, -30_000.0), 50_000.0),
+        (DVec3::new(0.0, 0.5, -1.0), 0.01),
+    ]);
+    cases.push(("near plane, eye in a sprite, 50 km, 1 cm".into(), scene.clone(), scene.cameras[0].clone()));
+    cases
+}
+
+/// Largest difference of clouds drawn fast, without stopping, and plainly.
+///
+/// The fast one filters with weights of 15 bits: up to 2⁻¹⁵ for each of four texels, in alpha and colour, at two mip
+/// levels. What n layers add up to is bounded by the sum of what each lets through, at most 1/α of the thinnest that
+/// matter; with 8 layers' worth: 8 · 4 · 2⁻¹⁵ ≈ 10⁻³. Light up to 2 doubles it.
+const FAST_IS_PLAIN: f32 = 2e-3;
+
+/// Clouds over sky and ground, in bytes.
+#[test]
+fn whole_pictures_agree() {
+    let scene = heap(40);
+    with_frame(&scene, &scene.cameras[0], [1280, 720], |frame| {
+        let off = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
+        let (fast, plain) = (fast::picture_stopping(frame, fast::NEVER_STOP), plain::picture(frame));
+        let worst = fast.pixels.iter().zip(&plain.pixels).map(off).max();
+        assert!(worst <= Some(2), "{worst:?}");
+    });
+}
+
+#[test]
+fn fast_is_plain() {
+    for (name, scene, camera) in cases() {
+        with_frame(&scene, &camera, SIZE, |frame| {
+            let difference = largest_difference(&fast::clouds(frame, fast::NEVER_STOP), &plain::clouds(frame));
+            assert!(difference <= FAST_IS_PLAIN, "{name}: {difference}");
+        });
+    }
+}
+
+#[test]
+fn backgrounds_agree() {
+    for (name, mut scene, camera) in cases() {
+        // Without clouds, in a size where the sky is interpolated between nodes.
+        scene.clouds.clear();
+        with_frame(&scene, &camera, [1280, 720], |frame| {
+            let (fast, plain) = (fast::picture_stopping(frame, fast::NEVER_STOP), plain::picture(frame));
+            let off = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
+            let worst = fast.pixels.iter().zip(&plain.pixels).map(off).max().unwrap_or(0);
+            // The sky between nodes is within 0.5 %, under one step of 8 bits; rounding may add another.
+            assert!(worst <= 2, "{name}: off by {worst}");
+        });
+    }
+}
+
+/// The early stop leaves 99.9 % of pixels within one step of 8 bits.
+#[test]
+fn stopping_early_does_not_show() {
+    for (name, scene, camera) in cases() {
+        with_frame(&scene, &camera, SIZE, |frame| {
+            let (stopped, whole) = (fast::picture(frame), fast::picture_stopping(frame, fast::NEVER_STOP));
+            let seen = stopped
+                .pixels
+                .iter()
+                .zip(&whole.pixels)
+                .filter(|(a, b)| (0..3).any(|c| a[c].abs_diff(b[c]) > 1))
+                .count();
+            assert!(seen * 1000 <= stopped.pixels.len(), "{name}: {seen} of {} pixels", stopped.pixels.len());
+        });
+    }
+}
+
+#[test]
+fn same_bytes_on_any_number_of_threads() {
+    let scene = authoring::SCENES[1].1();
+    let draw = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| with_frame(&scene, &scene.cameras[0], SIZE, fast::picture))
+    };
+    let one = draw(1);
+    for threads in [1, 2, 3, 7] {
+        assert!(draw(threads) == one, "{threads} threads");
+    }
+}
+
+/// Opacity does not depend on order; and a scene far from the origin looks as at the origin.
+#[test]
+fn a_scene_moved_a_thousand_kilometres_looks_the_same() {
+    let scene = heap(40);
+    let mut moved = scene.clone();
+    let shift = DVec3::new(1e6, 0.0, -1e6);
+    moved.clouds[0].position += shift;
+    let mut camera = scene.cameras[0].clone();
+    let near = with_frame(&scene, &camera, SIZE, fast::picture);
+    camera.position += shift;
+    let far = with_frame(&moved, &camera, SIZE, fast::picture);
+    let off = near.pixels.iter().zip(&far.pixels).flat_map(|(a, b)| (0..3).map(|c| a[c].abs_diff(b[c]))).max();
+    assert!(off <= Some(1), "{off:?}");
+}
+
+#[test]
+fn any_size_of_picture() {
+    let scene = heap(10);
+    for size in [[1, 1], [1, 300], [300, 1], [33, 31], [2000, 3]] {
+        with_frame(&scene, &scene.cameras[0], size, |frame| {
+            assert_eq!(fast::picture(frame).pixels.len(), (size[0] * size[1]) as usize);
+        });
+    }
+}

@@ -1,0 +1,76 @@
+//! The scene file's reader against whatever bytes there are: a scene, or problems with place and hint; never a panic.
+
+use cloudwright_core::formats::scene_file;
+use cloudwright_core::problem::Severity;
+use cloudwright_tests::small_scenes::heap;
+use proptest::prelude::*;
+
+fn good() -> String {
+    scene_file::write(&heap(20)).expect("finite numbers")
+}
+
+fn check(bytes: &[u8]) -> Result<(), TestCaseError> {
+    match scene_file::read(bytes) {
+        Ok(scene) => {
+            let written = scene_file::write(&scene).expect("a sound scene has only finite numbers");
+            prop_assert_eq!(scene_file::read(written.as_bytes()), Ok(scene));
+        }
+        Err(problems) => {
+            prop_assert!(!problems.is_empty());
+            for problem in problems {
+                prop_assert!(
+                    !problem.place.is_empty() && !problem.message.is_empty() && !problem.hint.is_empty(),
+                    "{problem}"
+                );
+                prop_assert_eq!(problem.severity, Severity::Error);
+            }
+        }
+    }
+    Ok(())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(400))]
+
+    #[test]
+    fn any_bytes(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        check(&bytes)?;
+    }
+
+    /// A sound file with a few bytes replaced by others that mean something in JSON.
+    #[test]
+    fn damaged_files(hits in prop::collection::vec((any::<prop::sample::Index>(), prop::sample::select(b"{}[]\",:-.0e9tn \xff".to_vec())), 1..4)) {
+        let mut bytes = good().into_bytes();
+        for (at, byte) in hits {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        check(&bytes)?;
+    }
+
+    #[test]
+    fn truncated_files(at in any::<prop::sample::Index>()) {
+        let text = good();
+        let cut = at.index(text.len() - 2);
+        let problems = scene_file::read(&text.as_bytes()[..cut]).expect_err("half a file is no scene");
+        prop_assert!(problems[0].place.contains("line"), "{}", problems[0]);
+    }
+
+    /// A number of a sound file replaced by one that is too large, too small, or of the wrong kind.
+    #[test]
+    fn wild_numbers(at in any::<prop::sample::Index>(), wild in prop::sample::select(vec!["1e999", "-1e300", "1e300", "-1", "null", "\"7\"", "1000000000", "0.5", "[]"])) {
+        let text = good();
+        let starts: Vec<usize> = text.match_indices(|c: char| c.is_ascii_digit()).map(|(i, _)| i).collect();
+        let start = starts[at.index(starts.len())];
+        let length = text[start..].find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(1);
+        check(format!("{}{wild}{}", &text[..start], &text[start + length..]).as_bytes())?;
+    }
+}
+
+#[test]
+fn round_trips_byte_for_byte() {
+    let text = good();
+    let scene = scene_file::read(text.as_bytes()).expect("sound");
+    assert_eq!(scene_file::write(&scene).expect("finite"), text);
+    assert_eq!(scene, heap(20));
+}
