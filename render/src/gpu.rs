@@ -114,6 +114,8 @@ impl Gpu {
     /// # Errors
     /// [`RenderError::DeviceLost`] from then on, [`RenderError::Refused`] once.
     pub fn check(&self) -> Result<(), RenderError> {
+        // wgpu tells of a loss when it is polled.
+        self.poll(wgpu::PollType::Poll)?;
         self.faults.check()
     }
 
@@ -121,18 +123,26 @@ impl Gpu {
     pub(crate) fn wait_until(&self, mut done: impl FnMut() -> bool) -> Result<(), RenderError> {
         let start = Instant::now();
         while start.elapsed() < PATIENCE {
-            self.check()?;
-            let wait = wgpu::PollType::Wait { submission_index: None, timeout: Some(ONE_WAIT) };
-            // wgpu panics where it polls a device that is gone; to us that is an event.
-            let answer = catch_unwind(AssertUnwindSafe(|| self.device.poll(wait)));
-            match answer {
-                Ok(Ok(_)) if done() => return self.check(),
-                Ok(Ok(_) | Err(wgpu::PollError::Timeout)) => {}
-                Ok(Err(error)) => return Err(RenderError::Refused(error.to_string())),
-                Err(_) => self.faults.note_loss("it does not answer"),
+            let all_done = self.poll(wgpu::PollType::Wait { submission_index: None, timeout: Some(ONE_WAIT) })?;
+            self.faults.check()?;
+            if all_done && done() {
+                return Ok(());
             }
         }
         Err(RenderError::TimedOut(PATIENCE.as_secs()))
+    }
+
+    /// False if a wait was in vain. wgpu panics where it polls a device that is gone; to us that is an event.
+    fn poll(&self, how: wgpu::PollType) -> Result<bool, RenderError> {
+        match catch_unwind(AssertUnwindSafe(|| self.device.poll(how))) {
+            Ok(Ok(_)) => Ok(true),
+            Ok(Err(wgpu::PollError::Timeout)) => Ok(false),
+            Ok(Err(error)) => Err(RenderError::Refused(error.to_string())),
+            Err(_) => {
+                self.faults.note_loss("it does not answer");
+                self.faults.check().map(|()| false)
+            }
+        }
     }
 }
 

@@ -75,9 +75,11 @@ pub(crate) fn read_buffer(gpu: &Gpu, buffer: &wgpu::Buffer, read: impl FnOnce(&[
 
 /// Texels of four 16-bit floats as 32-bit ones.
 pub(crate) fn texels_from_f16(bytes: &[u8]) -> impl Iterator<Item = [f32; 4]> + '_ {
-    bytes.as_chunks::<8>().0.iter().map(|texel| {
-        std::array::from_fn(|c| f32_from_f16(u16::from_le_bytes([texel[2 * c], texel[2 * c + 1]])))
-    })
+    bytes
+        .as_chunks::<8>()
+        .0
+        .iter()
+        .map(|texel| std::array::from_fn(|c| f32_from_f16(u16::from_le_bytes([texel[2 * c], texel[2 * c + 1]]))))
 }
 
 /// IEEE 754 binary16 to binary32, exact.

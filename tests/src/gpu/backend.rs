@@ -9,6 +9,8 @@ use std::sync::{Arc, Mutex};
 pub struct Backend {
     /// For test names.
     pub name: &'static str,
+    /// How to open another device on it.
+    pub choice: AdapterChoice,
     /// The device and its renderer, or why there is none.
     pub opened: Result<Arc<(Gpu, Mutex<Renderer>)>, String>,
 }
@@ -17,13 +19,16 @@ impl Backend {
     /// Vulkan and OpenGL, each there or not.
     pub fn all() -> Vec<Self> {
         [("vulkan", wgpu::Backend::Vulkan), ("gl", wgpu::Backend::Gl)]
-            .map(|(name, backend)| Self { name, opened: open(backend) })
+            .map(|(name, backend)| {
+                let choice = AdapterChoice::On(backend);
+                Self { name, opened: open(&choice), choice }
+            })
             .to_vec()
     }
 }
 
-fn open(backend: wgpu::Backend) -> Result<Arc<(Gpu, Mutex<Renderer>)>, String> {
-    let gpu = Gpu::headless(&AdapterChoice::On(backend)).map_err(|error| error.to_string())?;
+fn open(choice: &AdapterChoice) -> Result<Arc<(Gpu, Mutex<Renderer>)>, String> {
+    let gpu = Gpu::headless(choice).map_err(|error| error.to_string())?;
     let renderer = Renderer::new(&gpu).map_err(|error| error.to_string())?;
     Ok(Arc::new((gpu, Mutex::new(renderer))))
 }

@@ -5,8 +5,8 @@ use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::scene::{
-    BoxId, Camera, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevel, GroupCenter, GroupId, GroupLight, ModelId,
-    Scene, ShadingGroup, Sun,
+    BoxId, Camera, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevel, GroupCenter, GroupId, GroupLight,
+    ModelId, Scene, ShadingGroup, Sun,
 };
 use cloudwright_core::sprites::Atlas;
 use glam::{DQuat, DVec3};
@@ -66,6 +66,7 @@ pub fn cases() -> Vec<Case> {
         background("background_noon_with_sun", &noon, 14.0),
         background("background_dusk_with_sun", &noon, 20.9),
         background("background_night", &noon, 1.0),
+        suns_disc(&noon),
         moved(&noon, "moved_1000_km", DVec3::new(1.0e6, 0.0, -1.0e6)),
         dusk,
         no_ground,
@@ -128,13 +129,26 @@ fn background(name: &'static str, noon: &Case, time_h: f64) -> Case {
     case
 }
 
+/// The sun fills a quarter of the picture.
+fn suns_disc(noon: &Case) -> Case {
+    let mut case = background("background_suns_disc", noon, 14.0);
+    case.camera.field_of_view_deg = 1.0;
+    case.camera.pitch_deg += 20.0;
+    case
+}
+
 /// Three clouds of two models: boxes that are turned, one of lumps, a group of its own with a centre by hand.
 fn clouds() -> Scene {
     let mut scene = Scene { sun: Sun::ByPlace, ..Scene::default() };
     let group = ShadingGroup {
         id: GroupId::new(&mut scene.next_id),
         name: "shaded".into(),
-        light: GroupLight { c_min: 0.05, c_med: 0.3, c_max: 0.9, center: GroupCenter::At(DVec3::new(40.0, 60.0, -20.0)) },
+        light: GroupLight {
+            c_min: 0.05,
+            c_med: 0.3,
+            c_max: 0.9,
+            center: GroupCenter::At(DVec3::new(40.0, 60.0, -20.0)),
+        },
     };
     let mut cumulus = CloudModel::new(ModelId::new(&mut scene.next_id), "cumulus", Category::CumulusCongestus);
     for (x, y, count) in [(-200.0, 0.0, 60), (150.0, 60.0, 40), (0.0, 220.0, 30)] {
@@ -173,4 +187,18 @@ fn cloud(scene: &mut Scene, model: &CloudModel, position: DVec3) -> Cloud {
         scale: 1.0,
         seed: None,
     }
+}
+
+/// `side` × `side` clouds in a field 1,600 m apart before the eye, for benches.
+pub fn field(side: u32) -> Scene {
+    let mut scene = clouds();
+    let cumulus = scene.models[0].clone();
+    scene.clouds.clear();
+    for i in 0..side * side {
+        let (x, z) = (f64::from(i % side) - 0.5 * f64::from(side), -f64::from(i / side) - 1.0);
+        let mut one = cloud(&mut scene, &cumulus, DVec3::new(x * 1600.0, 1000.0, z * 1600.0));
+        one.heading_deg = f64::from(i * 37 % 360);
+        scene.clouds.push(one);
+    }
+    scene
 }

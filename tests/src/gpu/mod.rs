@@ -2,6 +2,8 @@
 
 mod backend;
 mod cases;
+mod tolerance;
 
 pub use backend::{Backend, required};
-pub use cases::{Case, cases, moved};
+pub use cases::{Case, cases, field, moved};
+pub use tolerance::{Allowance, Worst};

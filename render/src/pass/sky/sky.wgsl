@@ -15,18 +15,21 @@ fn draw_background(@builtin(position) position: vec4f) -> @location(0) vec4f {
 // Radiance of the ground at an eye-relative point, where a pixel covers `pixel_m` metres.
 fn ground_radiance(point: vec3f, pixel_m: f32) -> vec3f {
     let place = frame.ground_eye_in_pattern_m + point.xz;
-    var sum = 0.0;
-    var weight = 0.5;
-    for (var octave = 0u; octave < 4u; octave++) {
-        let cell_m = frame.ground_cells_m[octave];
-        let shown = 1.0 - smoothstep(0.25, 0.75, pixel_m / cell_m);
-        // Far away most octaves are smaller than a pixel: nothing to hash.
-        if shown > 0.0 {
-            sum += weight * shown * (lattice_noise(place / cell_m, octave, cell_m) - 0.5);
-        }
-        weight *= 0.7;
-    }
+    let cells_m = frame.ground_cells_m;
+    let sum = octave_noise(place, 0u, cells_m.x, pixel_m, 0.5)
+        + octave_noise(place, 1u, cells_m.y, pixel_m, 0.35)
+        + octave_noise(place, 2u, cells_m.z, pixel_m, 0.245)
+        + octave_noise(place, 3u, cells_m.w, pixel_m, 0.1715);
     return mix(frame.ground_dark, frame.ground_bright, smoothstep(-0.22, 0.22, sum));
+}
+
+// One lattice's share, around 0. Where its cells are smaller than a pixel there is nothing to hash.
+fn octave_noise(place: vec2f, octave: u32, cell_m: f32, pixel_m: f32, weight: f32) -> f32 {
+    let shown = 1.0 - smoothstep(0.25, 0.75, pixel_m / cell_m);
+    if shown <= 0.0 {
+        return 0.0;
+    }
+    return weight * shown * (lattice_noise(place / cell_m, octave, cell_m) - 0.5);
 }
 
 // Value noise in 0 to 1: smooth between random values at whole numbers.
@@ -46,9 +49,10 @@ fn plain_mix(a: f32, b: f32, t: f32) -> f32 {
     return a + (b - a) * t;
 }
 
-// The remainder that is never negative.
+// The remainder that is never negative. GLSL leaves that of negative numbers undefined, so as many whole periods are
+// added first as no ground lies far away.
 fn wrap(cell: vec2i, period: i32) -> vec2u {
-    return vec2u(((cell % period) + period) % period);
+    return (bitcast<vec2u>(cell) + u32(period) * 1048576u) % u32(period);
 }
 
 // 0 to 1 from three numbers, bit for bit as in core/src/sky/ground.rs (O'Neill's PCG-RXS-M-XS, 2014).

@@ -35,10 +35,7 @@ impl ToneMapPass {
         gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("tone map"),
             layout: &self.layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: wgpu::BindingResource::TextureView(&linear.view),
-            }],
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&linear.view) }],
         })
     }
 
