@@ -94,6 +94,11 @@ fn through_the_near_plane(noon: &Case) -> Case {
     (cloud_box.size, cloud_box.sprite_count) = (DVec3::splat(3.0), 12);
     (cloud_box.width, cloud_box.height) = ([8.0, 14.0], [8.0, 14.0]);
     model.boxes.push(cloud_box);
+    // And small ones around the eye itself, some of them cut at the near plane's 0.1 m.
+    let mut close = CloudBox::new(BoxId::new(&mut case.scene.next_id), DVec3::new(0.3, 0.2, 0.3));
+    (close.size, close.sprite_count) = (DVec3::splat(0.6), 12);
+    (close.width, close.height) = ([0.3, 0.8], [0.3, 0.8]);
+    model.boxes.push(close);
     model.cull_radius = cloudwright_core::scene::CullRadius::Metres(0.0);
     case.scene.clouds = vec![cloud(&mut case.scene, &model, DVec3::new(0.0, 900.0, 0.0))];
     case.scene.models = vec![model];
