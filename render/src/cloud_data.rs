@@ -56,6 +56,8 @@ pub(crate) struct CloudData {
     /// Each cloud's first sprite and how many it has.
     sprites_of_cloud: Vec<(u32, u32)>,
     uploaded: Option<Version>,
+    /// By the last update.
+    pub(crate) bytes_uploaded: u64,
 }
 
 impl CloudData {
@@ -68,6 +70,7 @@ impl CloudData {
             order: VertexBuffer::new(gpu),
             sprites_of_cloud: Vec::new(),
             uploaded: None,
+            bytes_uploaded: 0,
         }
     }
 
@@ -77,6 +80,7 @@ impl CloudData {
     /// If the device can't hold so many sprites.
     pub(crate) fn update(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<bool, RenderError> {
         let mut renewed = false;
+        self.bytes_uploaded = 0;
         if self.uploaded != Some(frame.clouds_version) {
             self.uploaded = None;
             renewed |= self.write_clouds(gpu, frame.clouds)?;
@@ -85,6 +89,7 @@ impl CloudData {
         let offsets: Vec<[f32; 4]> =
             frame.clouds.iter().map(|cloud| eye_offset(cloud, &frame.view).extend(0.0).to_array()).collect();
         renewed |= self.offsets.write(gpu, &offsets)?;
+        self.bytes_uploaded += size_of_val(offsets.as_slice()) as u64;
         self.write_order(gpu, frame)?;
         Ok(renewed)
     }
@@ -99,6 +104,8 @@ impl CloudData {
             groups.extend(cloud.groups.iter().map(group_texels));
         }
         let clouds: Vec<CloudTexels> = clouds.iter().map(cloud_texels).collect();
+        self.bytes_uploaded +=
+            (size_of_val(sprites.as_slice()) + size_of_val(groups.as_slice()) + size_of_val(clouds.as_slice())) as u64;
         Ok(self.sprites.write(gpu, &sprites)? | self.groups.write(gpu, &groups)? | self.clouds.write(gpu, &clouds)?)
     }
 
@@ -109,6 +116,7 @@ impl CloudData {
             (drawn.sprite < count).then_some([drawn.cloud, first + drawn.sprite])
         });
         let in_order: Vec<[u32; 2]> = in_order.collect();
+        self.bytes_uploaded += size_of_val(in_order.as_slice()) as u64;
         self.order.write(gpu, &in_order)
     }
 }

@@ -65,6 +65,11 @@ impl Passes {
         Ok(())
     }
 
+    /// By the last update: the clouds' data. Uniform and atlas are not counted.
+    pub(crate) fn bytes_uploaded(&self) -> u64 {
+        self.clouds.bytes_uploaded
+    }
+
     pub(crate) fn targets(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Targets, RenderError> {
         let linear = Target::new(gpu, "linear", LINEAR_FORMAT, size)?;
         let display = Target::new(gpu, "display", DISPLAY_FORMAT, size)?;

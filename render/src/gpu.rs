@@ -4,25 +4,12 @@
 //! textures and buffers, so that software rasterizers and old machines draw too. Timestamps are taken where they are
 //! offered. Losing the device is an event ([`Gpu::check`]), never a panic.
 
+use crate::adapter::{self, AdapterChoice};
 use crate::fault::Faults;
 use crate::{GpuError, RenderError};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
-
-/// Which adapter to draw with.
-#[derive(Debug, Clone, PartialEq, Eq, Default)]
-pub enum AdapterChoice {
-    /// The best there is: hardware, then software by Vulkan, then software by OpenGL.
-    #[default]
-    Any,
-    /// As `Any`, but never software.
-    HardwareOnly,
-    /// The best on one backend.
-    On(wgpu::Backend),
-    /// The best whose [`Gpu::label`] contains this, in any case.
-    Named(String),
-}
 
 /// A device to draw with.
 #[derive(Debug, Clone)]
@@ -44,16 +31,12 @@ impl Gpu {
     /// # Errors
     /// If no adapter fits the choice, or it gives no device.
     pub fn headless(choice: &AdapterChoice) -> Result<Self, GpuError> {
-        let mut adapters = all_adapters();
-        adapters.sort_by_key(|adapter| rank(&adapter.get_info()));
-        let Some(adapter) = adapters.iter().find(|adapter| choice.allows(&adapter.get_info())) else {
-            return Err(GpuError::NoAdapter { wanted: choice.to_string(), found: found(&adapters) });
-        };
-        let no_device = |source| GpuError::NoDevice { adapter: label(&adapter.get_info()), source };
-        let descriptor = Self::device_descriptor(adapter);
+        let adapter = adapter::find(choice)?;
+        let info = adapter.get_info();
+        let no_device = |source| GpuError::NoDevice { adapter: adapter::label(&info), source };
+        let descriptor = Self::device_descriptor(&adapter);
         let (device, queue) = pollster::block_on(adapter.request_device(&descriptor)).map_err(no_device)?;
-        fit(adapter)?;
-        Ok(Self::from_parts(device, queue, adapter.get_info()))
+        Ok(Self::from_parts(device, queue, info))
     }
 
     /// Draws with a window's own device. It should have been asked for with [`Gpu::device_descriptor`]; its handlers
@@ -79,9 +62,7 @@ impl Gpu {
 
     /// The adapters of this machine, best first, software included.
     pub fn adapters() -> Vec<wgpu::AdapterInfo> {
-        let mut infos: Vec<_> = all_adapters().iter().map(wgpu::Adapter::get_info).collect();
-        infos.sort_by_key(rank);
-        infos
+        adapter::all().iter().map(wgpu::Adapter::get_info).collect()
     }
 
     /// wgpu's device.
@@ -101,12 +82,12 @@ impl Gpu {
 
     /// Name and backend, for people.
     pub fn label(&self) -> String {
-        label(&self.info)
+        adapter::label(&self.info)
     }
 
     /// Whether the “GPU” is a program on the CPU.
     pub fn is_software(&self) -> bool {
-        is_software(&self.info)
+        adapter::is_software(&self.info)
     }
 
     /// What the device reported since the last look.
@@ -144,73 +125,4 @@ impl Gpu {
             }
         }
     }
-}
-
-impl AdapterChoice {
-    fn allows(&self, info: &wgpu::AdapterInfo) -> bool {
-        match self {
-            Self::Any => true,
-            Self::HardwareOnly => !is_software(info),
-            Self::On(backend) => info.backend == *backend,
-            Self::Named(part) => label(info).to_lowercase().contains(&part.to_lowercase()),
-        }
-    }
-}
-
-impl std::fmt::Display for AdapterChoice {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            Self::Any => f.write_str("was found"),
-            Self::HardwareOnly => f.write_str("of real hardware was found"),
-            Self::On(backend) => write!(f, "was found for {backend:?}"),
-            Self::Named(part) => write!(f, "is named “{part}”"),
-        }
-    }
-}
-
-fn all_adapters() -> Vec<wgpu::Adapter> {
-    let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-    pollster::block_on(instance.enumerate_adapters(wgpu::Backends::all()))
-}
-
-/// Best first: hardware before software, strong before weak, OpenGL last among its like.
-fn rank(info: &wgpu::AdapterInfo) -> (bool, u8, bool) {
-    let weakness = match info.device_type {
-        wgpu::DeviceType::DiscreteGpu => 0,
-        wgpu::DeviceType::IntegratedGpu => 1,
-        wgpu::DeviceType::VirtualGpu => 2,
-        wgpu::DeviceType::Other | wgpu::DeviceType::Cpu => 3,
-    };
-    let software = is_software(info);
-    // OpenGL does not say what it runs on: judge it after all else of its like.
-    (software, if software { 0 } else { weakness }, info.backend == wgpu::Backend::Gl)
-}
-
-fn is_software(info: &wgpu::AdapterInfo) -> bool {
-    let name = info.name.to_lowercase();
-    info.device_type == wgpu::DeviceType::Cpu
-        || ["llvmpipe", "lavapipe", "swiftshader", "softpipe"].iter().any(|part| name.contains(part))
-}
-
-fn label(info: &wgpu::AdapterInfo) -> String {
-    format!("{}, {:?}", info.name, info.backend)
-}
-
-fn found(adapters: &[wgpu::Adapter]) -> String {
-    if adapters.is_empty() {
-        return "this machine shows none at all".into();
-    }
-    let labels: Vec<_> = adapters.iter().map(|adapter| label(&adapter.get_info())).collect();
-    format!("this machine has {}", labels.join("; "))
-}
-
-/// Blending into 16-bit floats is optional in OpenGL ES 3.0.
-fn fit(adapter: &wgpu::Adapter) -> Result<(), GpuError> {
-    let features = adapter.get_texture_format_features(crate::texture::LINEAR_FORMAT);
-    let can = features.allowed_usages.contains(wgpu::TextureUsages::RENDER_ATTACHMENT)
-        && features.flags.contains(wgpu::TextureFormatFeatureFlags::BLENDABLE);
-    if can {
-        return Ok(());
-    }
-    Err(GpuError::Unfit { adapter: label(&adapter.get_info()), missing: "blend into 16-bit floats" })
 }

@@ -13,6 +13,7 @@
 //! # Ok(()) }
 //! ```
 
+mod adapter;
 mod atlas_texture;
 mod buffer;
 mod cloud_data;
@@ -29,8 +30,9 @@ pub mod shader;
 mod texture;
 mod timing;
 
+pub use adapter::AdapterChoice;
 pub use error::{GpuError, RenderError};
-pub use gpu::{AdapterChoice, Gpu};
+pub use gpu::Gpu;
 pub use renderer::Renderer;
 pub use timing::{PassClock, PassTime};
 pub use wgpu;

@@ -105,6 +105,11 @@ impl Renderer {
         }
     }
 
+    /// How many bytes of the clouds' data the last frame uploaded: a cost that does not depend on the machine.
+    pub fn bytes_uploaded(&self) -> u64 {
+        self.passes.bytes_uploaded()
+    }
+
     fn submit_frame(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<&Targets, RenderError> {
         let (passes, targets) = self.update(gpu, frame)?;
         submit(gpu, |encoder| passes.record(encoder, targets))?;

@@ -45,6 +45,7 @@ fn main() -> ExitCode {
             ("a_scene_far_away_is_as_sharp", far_away as fn(&Gpu, &mut Renderer) -> Outcome),
             ("a_picture_too_large_is_an_error", too_large),
             ("the_sprites_pass_can_be_timed", timed),
+            ("only_what_changed_is_uploaded", uploads),
         ] {
             trials.push(trial(backend, format!("{}::{name}", backend.name), check));
         }
@@ -151,6 +152,19 @@ fn timed(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     let time = case.with_frame(|frame| renderer.sprites_pass_time(gpu, frame))?;
     ensure(!time.duration.is_zero() && time.duration.as_secs() < 60, &format!("{time:?}"))
+}
+
+/// A camera that moves uploads eight bytes a sprite in view and sixteen a cloud; an edit uploads the clouds.
+fn uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+    let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
+    case.with_frame(|frame| {
+        let each_frame = (8 * frame.list.sprites.len() + 16 * frame.clouds.len()) as u64;
+        renderer.draw(gpu, frame)?;
+        ensure(renderer.bytes_uploaded() > each_frame, "a scene not seen before was not uploaded")?;
+        renderer.draw(gpu, frame)?;
+        let again = renderer.bytes_uploaded();
+        ensure(again == each_frame, &format!("{again} bytes for a frame that needs {each_frame}"))
+    })
 }
 
 fn lost(choice: &AdapterChoice) -> Outcome {

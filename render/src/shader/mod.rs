@@ -14,7 +14,8 @@ pub fn sky() -> String {
 
 /// The sprites.
 pub fn sprites() -> String {
-    [FRAME, MATH, DOME, include_str!("../pass/sprites/sprites.wgsl")].join("\n")
+    let data = include_str!("../pass/sprites/cloud_data.wgsl");
+    [FRAME, MATH, DOME, data, include_str!("../pass/sprites/sprites.wgsl")].join("\n")
 }
 
 /// Linear light to a display.

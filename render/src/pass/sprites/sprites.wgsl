@@ -1,22 +1,12 @@
 // The sprites: each turned to the eye (the twin of core/src/facing.rs), its corners lit (core/src/shading/), hazed, and
 // drawn as ScreenSprite::fragment does (core/src/raster/prepare.rs).
 //
-// What the sprites are lies in data textures, texel after texel in rows of DATA_ROW, written when the scene changes
-// (cloud_data.rs has the Rust side). A vertex is a corner; each of the four computes all four corners' light, because
-// light runs bilinearly over the quad and not linearly over its two triangles.
+// What the sprites are is loaded from data textures (cloud_data.wgsl). A vertex is a corner; each of the four computes
+// all four corners' light, because light runs bilinearly over the quad and not linearly over its two triangles.
 
-const DATA_ROW_BITS = 11u;
-const SPRITE_TEXELS = 2u;
-const GROUP_TEXELS = 2u;
-const CLOUD_TEXELS = 7u;
 const TILE_SIZE: f32 = 128.0;
 const LAST_MIP: f32 = 4.0;
 
-@group(1) @binding(0) var sprite_data: texture_2d<u32>;
-@group(1) @binding(1) var group_data: texture_2d<u32>;
-@group(1) @binding(2) var cloud_data: texture_2d<u32>;
-// Where each cloud's origin lies from the eye: written every frame.
-@group(1) @binding(3) var offset_data: texture_2d<u32>;
 @group(1) @binding(4) var atlas: texture_2d_array<f32>;
 @group(1) @binding(5) var atlas_sampler: sampler;
 
@@ -153,68 +143,4 @@ fn between(otherwise: vec4f, from_height: f32, from_color: vec4f, to_height: f32
         return mix(from_color, to_color, (height - from_height) / (to_height - from_height));
     }
     return otherwise;
-}
-
-struct Sprite {
-    position: vec3f,
-    width: f32,
-    height: f32,
-    // Sine and cosine: a shader's own may be off by 2⁻¹¹.
-    rotation: vec2f,
-    group: u32,
-    tile: u32,
-}
-
-struct Group {
-    center: vec3f,
-    c: vec3f,
-}
-
-struct Cloud {
-    bottom: f32,
-    top: f32,
-    heights: vec4f,
-    height_4: f32,
-    color_0: vec4f,
-    color_1: vec4f,
-    color_2: vec4f,
-    color_3: vec4f,
-    color_4: vec4f,
-}
-
-fn load_bits(data: texture_2d<u32>, address: u32) -> vec4u {
-    return textureLoad(data, vec2u(address & ((1u << DATA_ROW_BITS) - 1u), address >> DATA_ROW_BITS), 0);
-}
-
-fn load(data: texture_2d<u32>, address: u32) -> vec4f {
-    return bitcast<vec4f>(load_bits(data, address));
-}
-
-fn load_sprite(index: u32) -> Sprite {
-    let first = load(sprite_data, index * SPRITE_TEXELS);
-    let second = load_bits(sprite_data, index * SPRITE_TEXELS + 1u);
-    let floats = bitcast<vec4f>(second);
-    return Sprite(first.xyz, first.w, floats.x, floats.yz, second.w >> 4u, second.w & 15u);
-}
-
-fn load_group(index: u32) -> Group {
-    let first = load(group_data, index * GROUP_TEXELS);
-    let second = load(group_data, index * GROUP_TEXELS + 1u);
-    return Group(first.xyz, vec3f(first.w, second.xy));
-}
-
-fn load_cloud(index: u32) -> Cloud {
-    let at = index * CLOUD_TEXELS;
-    let extent = load(cloud_data, at);
-    return Cloud(
-        extent.x,
-        extent.y,
-        load(cloud_data, at + 1u),
-        extent.z,
-        load(cloud_data, at + 2u),
-        load(cloud_data, at + 3u),
-        load(cloud_data, at + 4u),
-        load(cloud_data, at + 5u),
-        load(cloud_data, at + 6u),
-    );
 }
