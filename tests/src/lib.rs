@@ -2,6 +2,7 @@
 
 pub mod atlas;
 pub mod authoring;
+pub mod gpu;
 pub mod small_scenes;
 
 use std::path::PathBuf;

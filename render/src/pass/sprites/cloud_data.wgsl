@@ -1,0 +1,77 @@
+// The scene's sprites, groups and clouds in data textures: texel after texel of four words, in rows of
+// 2^DATA_ROW_BITS. The Rust side is cloud_data.rs; a test compares the sizes. OpenGL ES 3.0 has no storage buffers.
+
+const DATA_ROW_BITS = 11u;
+const SPRITE_TEXELS = 2u;
+const GROUP_TEXELS = 2u;
+const CLOUD_TEXELS = 7u;
+
+@group(1) @binding(0) var sprite_data: texture_2d<u32>;
+@group(1) @binding(1) var group_data: texture_2d<u32>;
+@group(1) @binding(2) var cloud_data: texture_2d<u32>;
+// Where each cloud's origin lies from the eye: written every frame.
+@group(1) @binding(3) var offset_data: texture_2d<u32>;
+
+struct Sprite {
+    position: vec3f,
+    width: f32,
+    height: f32,
+    // Sine and cosine: a shader's own may be off by 2⁻¹¹.
+    rotation: vec2f,
+    group: u32,
+    tile: u32,
+}
+
+struct Group {
+    center: vec3f,
+    c: vec3f,
+}
+
+struct Cloud {
+    bottom: f32,
+    top: f32,
+    heights: vec4f,
+    height_4: f32,
+    color_0: vec4f,
+    color_1: vec4f,
+    color_2: vec4f,
+    color_3: vec4f,
+    color_4: vec4f,
+}
+
+fn load_bits(data: texture_2d<u32>, address: u32) -> vec4u {
+    return textureLoad(data, vec2u(address & ((1u << DATA_ROW_BITS) - 1u), address >> DATA_ROW_BITS), 0);
+}
+
+fn load(data: texture_2d<u32>, address: u32) -> vec4f {
+    return bitcast<vec4f>(load_bits(data, address));
+}
+
+fn load_sprite(index: u32) -> Sprite {
+    let first = load(sprite_data, index * SPRITE_TEXELS);
+    let second = load_bits(sprite_data, index * SPRITE_TEXELS + 1u);
+    let floats = bitcast<vec4f>(second);
+    return Sprite(first.xyz, first.w, floats.x, floats.yz, second.w >> 4u, second.w & 15u);
+}
+
+fn load_group(index: u32) -> Group {
+    let first = load(group_data, index * GROUP_TEXELS);
+    let second = load(group_data, index * GROUP_TEXELS + 1u);
+    return Group(first.xyz, vec3f(first.w, second.xy));
+}
+
+fn load_cloud(index: u32) -> Cloud {
+    let at = index * CLOUD_TEXELS;
+    let extent = load(cloud_data, at);
+    return Cloud(
+        extent.x,
+        extent.y,
+        load(cloud_data, at + 1u),
+        extent.z,
+        load(cloud_data, at + 2u),
+        load(cloud_data, at + 3u),
+        load(cloud_data, at + 4u),
+        load(cloud_data, at + 5u),
+        load(cloud_data, at + 6u),
+    );
+}
