@@ -12,7 +12,7 @@ pub fn frame_uniform_size() -> usize {
     size_of::<frame_uniform::FrameUniform>()
 }
 
-/// Constants of sprites.wgsl with the values that the Rust side packs by.
+/// Constants of the sprites' shader with the values that the Rust side computes by.
 pub fn sprite_constants() -> Vec<(&'static str, f64)> {
     let texels = |size: usize| (size / size_of::<[u32; 4]>()) as f64;
     vec![
@@ -21,6 +21,7 @@ pub fn sprite_constants() -> Vec<(&'static str, f64)> {
         ("GROUP_TEXELS", texels(size_of::<cloud_data::GroupTexels>())),
         ("CLOUD_TEXELS", texels(size_of::<cloud_data::CloudTexels>())),
         ("TILE_SIZE", cloudwright_core::sprites::TILE_SIZE as f64),
+        ("HAZE_GLOW_COSINE", f64::from(cloudwright_core::sky::HAZE_GLOW_COSINE)),
         ("LAST_MIP", (cloudwright_core::sprites::MIP_LEVELS - 1) as f64),
     ]
 }

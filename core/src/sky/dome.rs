@@ -56,7 +56,7 @@ impl Dome {
 
     /// Radiance of sky and sun in a unit `direction`. Below the horizon it stays what it is there.
     pub fn radiance(&self, direction: Vec3) -> Rgb {
-        let disc = smoothstep(SUN_DISC_COSINES[0], SUN_DISC_COSINES[1], direction.dot(self.sun_direction));
+        let disc = smoothstep(SUN_DISC_COSINES[0], SUN_DISC_COSINES[1], cosine_between(direction, self.sun_direction));
         self.sky(direction) + self.sun_disc * disc
     }
 
@@ -89,6 +89,12 @@ impl Dome {
         let lifted = crate::math::unit_or(level, Vec3::X) * (1.0 - up * up).max(0.0).sqrt() + Vec3::Y * up;
         (up, lifted.dot(self.glow_direction).clamp(-1.0, 1.0))
     }
+}
+
+/// Of the angle between two unit vectors. The plain dot product of nearly equal ones has no bits left for a disc half a
+/// degree wide.
+fn cosine_between(a: Vec3, b: Vec3) -> f32 {
+    1.0 - 0.5 * (a - b).length_squared()
 }
 
 /// 1 + A·exp(B / (cos θ + 0.01)).
@@ -178,7 +184,7 @@ impl DomeTables {
 
     /// As [`Dome::radiance`], within 0.2 %.
     pub fn radiance(&self, direction: Vec3) -> Rgb {
-        let cos_sun = direction.dot(self.dome.sun_direction);
+        let cos_sun = cosine_between(direction, self.dome.sun_direction);
         let sky = self.sky(direction);
         if cos_sun < SUN_DISC_COSINES[0] {
             return sky;

@@ -3,13 +3,13 @@
 //! The sky is Hosek and Wilkie's (*An Analytic Model for Full Spectral Sky-Dome Radiance*, SIGGRAPH 2012); crate
 //! hw-skymodel supplies its coefficients. Low suns are graded, and below its range the last sky is dimmed and cooled
 //! (dome.rs says why).
-//! The twin in WGSL is render/src/pass/sky/sky.wgsl.
+//! The twins in WGSL are render/src/pass/sky/sky.wgsl and render/src/shader/dome.wgsl.
 
 mod dome;
 mod ground;
 mod rows;
 
-pub use dome::{Dome, DomeTables, HORIZON_SINE, SUN_DISC_COSINES};
+pub use dome::{Dome, DomeTables, HAZE_GLOW_COSINE, HORIZON_SINE, SUN_DISC_COSINES};
 pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook};
 pub use rows::BackgroundRows;
 

@@ -17,6 +17,8 @@ const STEP: usize = 8;
 pub const MOST: usize = 32;
 /// Nodes farther apart than this, radians, would miss the sky's curvature.
 const COARSEST_STEP: f32 = 0.012;
+/// Sine of the elevation below which the azimuth changes too fast from node to node.
+const STEEP_SINE: f32 = -0.95;
 /// Within this angle of the sun, radians, its glow has a point.
 const SUN_GLOW: f32 = 0.06;
 
@@ -87,7 +89,15 @@ impl<'a> BackgroundRows<'a> {
         direction: &impl Fn(usize) -> Vec3,
         out: &mut Planes<MOST>,
     ) {
-        between_nodes(out, |x| self.dome.horizon(direction(x)));
+        if direction(0).y.min(direction(MOST - 1).y) < STEEP_SINE {
+            // Straight below the horizon's colour turns with every pixel.
+            for x in 0..MOST {
+                let color = self.dome.horizon(direction(x)).to_array();
+                out.iter_mut().zip(color).for_each(|(plane, channel)| plane[x] = channel);
+            }
+        } else {
+            between_nodes(out, |x| self.dome.horizon(direction(x)));
+        }
         let first = self.view.ray(left as f32 + 0.5, y as f32 + 0.5);
         let step = self.view.right * self.view.pixel();
         let row = GroundRow {

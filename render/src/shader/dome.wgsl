@@ -1,6 +1,9 @@
 // The sky of Hosek and Wilkie (2012), the sun's disc, and the haze that takes the horizon's colour.
 // The twin of core/src/sky/dome.rs, by its formulas and not its tables.
 
+// Haze takes no more of the sun's glow than there is at this angle from it.
+const HAZE_GLOW_COSINE: f32 = 0.819152;
+
 // 1 + A exp(B / (cos theta + 0.01)).
 fn around_zenith(cos_theta: f32) -> vec3f {
     return 1.0 + frame.dome_parameters[0].rgb * exp(frame.dome_parameters[1].rgb / (cos_theta + 0.01));
@@ -20,10 +23,18 @@ fn around_sun(cos_gamma: f32) -> vec3f {
 
 // Radiance of the sky alone in a unit direction; below the horizon as at the horizon.
 fn sky_radiance(direction: vec3f) -> vec3f {
-    let cos_theta = max(direction.y, frame.horizon_sine);
+    return distribution(max(direction.y, frame.horizon_sine), cosine_to_glow(direction));
+}
+
+// Cosine of the angle to the sky's brightest point, for a unit direction lifted to the horizon.
+fn cosine_to_glow(direction: vec3f) -> f32 {
+    let up = max(direction.y, frame.horizon_sine);
     let level = unit_or(vec3f(direction.x, 0.0, direction.z), vec3f(1.0, 0.0, 0.0));
-    let lifted = level * sqrt(max(1.0 - cos_theta * cos_theta, 0.0)) + vec3f(0.0, cos_theta, 0.0);
-    let cos_gamma = clamp(dot(lifted, frame.glow_direction), -1.0, 1.0);
+    let lifted = level * sqrt(max(1.0 - up * up, 0.0)) + vec3f(0.0, up, 0.0);
+    return clamp(dot(lifted, frame.glow_direction), -1.0, 1.0);
+}
+
+fn distribution(cos_theta: f32, cos_gamma: f32) -> vec3f {
     let i_term = frame.dome_parameters[7].rgb * sqrt(cos_theta);
     return frame.dome_scale * (around_zenith(cos_theta) * (around_sun(cos_gamma) + i_term));
 }
@@ -37,9 +48,10 @@ fn dome_radiance(direction: vec3f) -> vec3f {
     return sky_radiance(direction) + frame.sun_disc * disc;
 }
 
-// Radiance at the horizon below or above `direction` (any length): what haze turns things to.
+// Radiance at the horizon below or above `direction` (any length), the sun's glow left out: what haze turns things to.
 fn horizon_radiance(direction: vec3f) -> vec3f {
-    return sky_radiance(unit_or(vec3f(direction.x, 0.0, direction.z), vec3f(1.0, 0.0, 0.0)));
+    let level = vec3f(direction.x, 0.0, direction.z);
+    return distribution(frame.horizon_sine, min(cosine_to_glow(level), HAZE_GLOW_COSINE));
 }
 
 // 1 − e^(−distance / length).

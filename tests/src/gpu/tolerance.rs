@@ -36,7 +36,9 @@ impl Allowance {
             for y in top as u32..(bottom.ceil() as u32).min(height) {
                 for x in left as u32..(right.ceil() as u32).min(width) {
                     let at = (x as f32 + 0.5, y as f32 + 0.5);
-                    let Some((fragment, _)) = sprite.fragment(frame.atlas, at.0, at.1, sprite.mip) else { continue };
+                    let Some((fragment, _)) = sprite.fragment(frame.atlas, at.0, at.1, |_| sprite.mip) else {
+                        continue;
+                    };
                     let brightest = |c: usize| sprite.corners.iter().map(|corner| corner[c]).fold(0.0, f32::max);
                     let fragment = [fragment.r, fragment.g, fragment.b, fragment.a];
                     let texel_alpha = TEXEL * brightest(3);
