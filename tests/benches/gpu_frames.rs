@@ -1,73 +1,85 @@
-//! Time of the sprites pass and of a whole frame on each adapter there is: `cargo bench --bench gpu_frames`.
-//! Medians of several frames after two to warm up; a table, because software rasterizers need seconds for what hardware
-//! does in a blink, and a fixed number of samples would not suit both.
+//! The CPU renderer against the sprites pass on each adapter there is, on the same draw lists in the same run:
+//! `cargo bench -p cloudwright-tests --bench gpu_frames`.
+//! Medians of several frames, taken in turn; a table, because software rasterizers need seconds for what hardware does
+//! in a blink, and a fixed number of samples would not suit both.
 
 #![allow(clippy::print_stdout)] // A bench's answer is its table.
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::fast;
-use cloudwright_core::scene::Camera;
+use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::Atlas;
 use cloudwright_render::{Gpu, Renderer};
+use cloudwright_tests::authoring;
 use cloudwright_tests::gpu::{Backend, field};
 use glam::DVec3;
 use std::time::{Duration, Instant};
 
-const FRAMES: usize = 5;
+const FRAMES: usize = 7;
 
 fn main() {
     // `cargo test --benches` passes no --bench: then one small scene shows that the bench still runs.
     let full = std::env::args().any(|arg| arg == "--bench");
-    let sides: &[u32] = if full { &[4, 12, 40, 88] } else { &[2] };
-    println!("{:36} {:>9} {:>8} {:>11} {:>11}", "adapter", "sprites", "in view", "sprites/ms", "frame/ms");
+    println!(
+        "{:28} {:>8}  {:26} {:>9} {:>9} {:>9} {:>7}",
+        "view, 1280×720", "sprites", "adapter", "pass/ms", "frame/ms", "CPU/ms", "CPU is"
+    );
     let backends = Backend::all();
-    for side in sides {
-        let scene = field(*side);
-        let derived = Derived::new(&scene);
-        let camera = Camera { pitch_deg: 5.0, ..Camera::free(DVec3::new(0.0, 700.0, 0.0)) };
-        let frame = Frame::new(&scene, &derived, Atlas::built_in(), &camera, 10.0, [1280, 720]);
-        let total = derived.clouds().iter().map(|cloud| cloud.sprites.len()).sum();
-        let cpu = median(|| timed(|| drop(fast::picture(&frame))));
-        row("CPU renderer", total, &frame, None, cpu);
-        for backend in &backends {
-            match &backend.opened {
-                Ok(opened) => {
-                    let mut renderer = opened.1.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
-                    measure(&opened.0, &mut renderer, total, &frame);
-                }
-                Err(reason) => println!("{:36} not there: {reason}", backend.name),
+    let beside = |height| Camera { pitch_deg: 5.0, ..Camera::free(DVec3::new(0.0, height, 0.0)) };
+    if !full {
+        return measure("small field", &field(2), &beside(700.0), &backends);
+    }
+    for (name, make) in authoring::SCENES {
+        let scene = make();
+        let cameras = scene.cameras.iter().filter(|camera| camera.name == "main" || *name == "overcast");
+        for camera in cameras {
+            measure(&format!("{name}, {}", camera.name), &scene, camera, &backends);
+        }
+    }
+    for side in [40, 88] {
+        measure(&format!("field of {side} × {side}"), &field(side), &beside(700.0), &backends);
+    }
+}
+
+fn measure(name: &str, scene: &Scene, camera: &Camera, backends: &[Backend]) {
+    let derived = Derived::new(scene);
+    let frame = Frame::new(scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, [1280, 720]);
+    for backend in backends {
+        match &backend.opened {
+            Ok(opened) => {
+                let mut renderer = opened.1.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+                measure_on(name, &opened.0, &mut renderer, &frame);
             }
+            Err(reason) => println!("{name:28} {:>8}  {} is not there: {reason}", "", backend.name),
         }
     }
 }
 
-fn measure(gpu: &Gpu, renderer: &mut Renderer, total: usize, frame: &Frame<'_>) {
-    for _ in 0..2 {
-        if let Err(error) = renderer.sprites_pass_time(gpu, frame) {
-            println!("{:36} {total:9} {error}", gpu.label());
-            return;
+fn measure_on(name: &str, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame<'_>) {
+    let [mut pass, mut whole, mut cpu] = [Vec::new(), Vec::new(), Vec::new()];
+    // In turn, so that a slow minute of the machine hits all alike; the first round warms up.
+    for round in 0..=FRAMES {
+        let times = [
+            renderer.sprites_pass_time(gpu, frame).map_or(Duration::MAX, |time| time.duration),
+            timed(|| drop(renderer.picture(gpu, frame))),
+            timed(|| drop(fast::picture(frame))),
+        ];
+        if round > 0 {
+            [&mut pass, &mut whole, &mut cpu].into_iter().zip(times).for_each(|(list, time)| list.push(time));
         }
     }
-    let pass = median(|| renderer.sprites_pass_time(gpu, frame).map_or(Duration::MAX, |time| time.duration));
-    let whole = median(|| timed(|| drop(renderer.picture(gpu, frame))));
-    row(&gpu.label(), total, frame, Some(pass), whole);
-}
-
-fn row(name: &str, total: usize, frame: &Frame<'_>, pass: Option<Duration>, whole: Duration) {
-    let ms = |time: Duration| format!("{:.1}", time.as_secs_f64() * 1e3);
-    let in_view = frame.list.sprites.len();
-    println!("{name:36} {total:9} {in_view:8} {:>11} {:>11}", pass.map_or("–".into(), ms), ms(whole));
+    let [pass, whole, cpu] = [pass, whole, cpu].map(|mut times| {
+        times.sort_unstable();
+        times[FRAMES / 2].as_secs_f64() * 1e3
+    });
+    let label: String = gpu.label().chars().take(26).collect();
+    let sprites = frame.list.sprites.len();
+    println!("{name:28} {sprites:>8}  {label:26} {pass:>9.1} {whole:>9.1} {cpu:>9.1} {:>6.1}×", pass / cpu);
 }
 
 fn timed(work: impl FnOnce()) -> Duration {
     let start = Instant::now();
     work();
     start.elapsed()
-}
-
-fn median(mut measure: impl FnMut() -> Duration) -> Duration {
-    let mut times: Vec<Duration> = (0..FRAMES).map(|_| measure()).collect();
-    times.sort_unstable();
-    times[FRAMES / 2]
 }

@@ -213,7 +213,7 @@ fn only_what_changed_is_computed_again() {
     let mut model = document.scene().models[0].clone();
     model.color_levels[2].color.a = 0.5;
     let uses = document.scene().clouds.iter().filter(|cloud| cloud.model == model.id).count() as u64;
-    let change = document.edit("Level", [Edit::Model(ListEdit::Replace(model.clone()))]).expect("in range");
+    let change = document.edit("Level", [Edit::Model(ListEdit::Replace(model))]).expect("in range");
     derived.update(document.scene(), &change);
     assert_eq!(derived.work_done().models_populated, start.models_populated, "colours strew no sprites");
     assert_eq!(derived.work_done().clouds_placed, start.clouds_placed + uses);

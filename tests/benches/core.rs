@@ -1,0 +1,95 @@
+//! The core's phases: `cargo bench -p cloudwright-tests --bench core`.
+//!
+//! Targets on an idle machine of two cores: 20,000 sprites populated in 30 ms on one core, and time a sprite at 10⁶
+//! below three times that at 10⁴; 80,000 corners shaded in 5 ms on one core; 10⁶ keys sorted in 40 ms.
+
+use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::{DrawSprite, sort_back_to_front};
+use cloudwright_core::facing::{corners, face_eye};
+use cloudwright_core::frame::Frame;
+use cloudwright_core::random::{draw, unit};
+use cloudwright_core::raster::fast;
+use cloudwright_core::scene::{Camera, CloudModel};
+use cloudwright_core::shading::{Light, corner_light};
+use cloudwright_core::sprites::{Atlas, PlacedCloud, populate};
+use cloudwright_tests::authoring;
+use cloudwright_tests::small_scenes::heap;
+use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
+use glam::{DVec3, Vec3};
+use std::hint::black_box;
+
+/// A model of boxes of 1,000 sprites, as densely strewn whatever their number, of which a good half survives the cull.
+fn model_of(sprites: u32) -> CloudModel {
+    let mut model = heap(1).models.remove(0);
+    let cloud_box = model.boxes.remove(0);
+    model.boxes = (0..(sprites / 1000).max(1))
+        .map(|i| {
+            let mut cloud_box = cloud_box.clone();
+            cloud_box.id.0 = u64::from(i) + 1;
+            cloud_box.center = DVec3::new(f64::from(i % 32) * 400.0, 0.0, f64::from(i / 32) * 400.0);
+            cloud_box.size = DVec3::splat(400.0);
+            cloud_box.sprite_count = sprites.min(1000);
+            cloud_box
+        })
+        .collect();
+    model
+}
+
+fn populating(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("populate and cull, one core");
+    group.sample_size(10);
+    for sprites in [10_000, 20_000, 100_000, 1_000_000] {
+        let model = model_of(sprites);
+        group.throughput(Throughput::Elements(u64::from(sprites)));
+        group.bench_function(format!("{sprites}"), |bencher| bencher.iter(|| populate(black_box(&model), 7)));
+    }
+}
+
+fn shading(criterion: &mut Criterion) {
+    let scene =
+        authoring::SCENES.iter().find(|(name, _)| *name == "overcast").map(|(_, make)| make()).unwrap_or_default();
+    let derived = Derived::new(&scene);
+    let light = Light::at(&scene, 17.0);
+    let shade_cloud = |cloud: &PlacedCloud| -> f32 {
+        let corner_sum = |sprite: &cloudwright_core::sprites::Sprite| -> f32 {
+            let quad = corners(sprite.position, face_eye(sprite.position, 0.0, Vec3::Y), sprite.width, sprite.height);
+            let group = &cloud.groups[sprite.group as usize];
+            quad.into_iter().map(|corner| corner_light(corner, cloud, group, &light).color().rgb.r).sum()
+        };
+        cloud.sprites.iter().map(corner_sum).sum()
+    };
+    let sprites: usize = derived.clouds().iter().map(|cloud| cloud.sprites.len()).sum();
+    let mut group = criterion.benchmark_group("face and shade corners, one core");
+    group.throughput(Throughput::Elements(4 * sprites as u64));
+    group.bench_function(format!("{}", 4 * sprites), |bencher| {
+        bencher.iter(|| derived.clouds().iter().map(shade_cloud).sum::<f32>());
+    });
+}
+
+fn sorting(criterion: &mut Criterion) {
+    let point = |i: u32| Vec3::from_array(std::array::from_fn(|axis| unit(draw(3, 3, i, 0)[axis]) as f32 * 20_000.0));
+    let sprites: Vec<DrawSprite> =
+        (0..1_000_000).map(|i| DrawSprite { cloud: i / 400, sprite: i % 400, center: point(i) }).collect();
+    let mut group = criterion.benchmark_group("sort back to front");
+    group.sample_size(20);
+    group.bench_function("1000000", |bencher| {
+        bencher.iter_batched(|| sprites.clone(), |mut sprites| sort_back_to_front(&mut sprites), BatchSize::LargeInput);
+    });
+}
+
+fn drawing(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("CPU picture, 1280×720");
+    group.sample_size(20);
+    for (name, make) in authoring::SCENES {
+        let scene = make();
+        let derived = Derived::new(&scene);
+        let draw_from =
+            |camera: &Camera| Frame::new(&scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, [1280, 720]);
+        for camera in scene.cameras.iter().filter(|camera| camera.name == "main") {
+            group.bench_function(*name, |bencher| bencher.iter(|| fast::picture(&draw_from(camera))));
+        }
+    }
+}
+
+criterion_group!(benches, populating, shading, sorting, drawing);
+criterion_main!(benches);
