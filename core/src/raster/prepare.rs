@@ -52,6 +52,8 @@ pub struct ScreenSprite {
     pub texels_a_pixel: f32,
     /// Mip level of the whole sprite for one sample a pixel, not yet clamped: [`ScreenSprite::mip_at`] its centre.
     pub mip: f32,
+    /// Least u and v, greatest u and v between which its tile shows anything, at the levels for one sample a pixel.
+    pub covered: [f32; 4],
     /// Linear light and alpha at top left, top right, bottom right, bottom left; straight, what haze leaves of it.
     pub corners: [[f32; 4]; 4],
     /// What haze adds, for a fragment of alpha 1.
@@ -87,6 +89,7 @@ fn screen_sprite(frame: &Frame<'_>, drawn: &DrawSprite) -> ScreenSprite {
     let outline = outline(view, &quad);
     let depth = view.depth(drawn.center).max(NEAR_M);
     let texels_a_pixel = TILE_SIZE as f32 * view.pixel() / (sprite.width * sprite.height).sqrt();
+    let mip = (texels_a_pixel * depth).log2();
     ScreenSprite {
         anchor,
         denominator: plane.denominator(),
@@ -95,7 +98,8 @@ fn screen_sprite(frame: &Frame<'_>, drawn: &DrawSprite) -> ScreenSprite {
         depth: plane.offset as f32,
         tile: sprite.tile,
         texels_a_pixel,
-        mip: (texels_a_pixel * depth).log2(),
+        mip,
+        covered: covered(frame.atlas, sprite.tile, mip),
         corners: lit.map(|(rgb, a)| [rgb.r, rgb.g, rgb.b, a]),
         haze: (haze_color * hazed).to_array(),
         bounds: bounds(view, outline.as_ref(), drawn.center, sprite.reach()),
@@ -195,6 +199,13 @@ impl ScreenSprite {
         let channel = |c: usize| light[3] * (texel[c] * light[c] + texel[3] * self.haze[c]);
         Some((Premultiplied { r: channel(0), g: channel(1), b: channel(2), a: light[3] * texel[3] }, depth))
     }
+}
+
+/// What a tile covers at the two mip levels around `mip`.
+fn covered(atlas: &Atlas, tile: u8, mip: f32) -> [f32; 4] {
+    let level = mip.clamp(0.0, (MIP_LEVELS - 1) as f32) as usize;
+    let (fine, coarse) = (atlas.level(tile.into(), level).covered, atlas.level(tile.into(), level + 1).covered);
+    [fine[0].min(coarse[0]), fine[1].min(coarse[1]), fine[2].max(coarse[2]), fine[3].max(coarse[3])]
 }
 
 /// Texels of a tile at (u, v), linear within and between mip levels; `mip` is clamped to those there are.

@@ -2,6 +2,7 @@
 
 mod architecture;
 mod assets;
+mod draw_list;
 mod export;
 mod raster;
 mod scene_file;

@@ -38,7 +38,7 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
         let exposed = over_background(&background, rect, row, clouds, frame.exposure);
         encode_row(&exposed, rect.left, rect.top + row, out);
     };
-    let pixels = draw(frame, stop_below, [0; 4], finish);
+    let pixels = draw(&Brush::new(frame.atlas), frame, stop_below, [0; 4], finish);
     Picture { width: frame.view.width, height: frame.view.height, pixels }
 }
 
@@ -51,18 +51,27 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
             *pixel = Rgb::new(r[x], g[x], b[x]);
         }
     };
-    let pixels = draw(frame, STOP_BELOW, Rgb::BLACK, finish);
+    let pixels = draw(&Brush::new(frame.atlas), frame, STOP_BELOW, Rgb::BLACK, finish);
     LinearPicture { width: frame.view.width, height: frame.view.height, pixels }
 }
 
 /// The clouds alone.
 pub fn clouds(frame: &Frame<'_>, stop_below: f32) -> Layer {
+    clouds_by(&Brush::new(frame.atlas), frame, stop_below)
+}
+
+/// The clouds alone, as a processor without wide instructions draws them.
+pub fn clouds_one_by_one(frame: &Frame<'_>, stop_below: f32) -> Layer {
+    clouds_by(&Brush::one_by_one(frame.atlas), frame, stop_below)
+}
+
+fn clouds_by(brush: &Brush<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
     let finish = |_, _, [r, g, b, through]: &TileRow, out: &mut [Premultiplied]| {
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Premultiplied { r: r[x], g: g[x], b: b[x], a: 1.0 - through[x] };
         }
     };
-    let pixels = draw(frame, stop_below, Premultiplied::CLEAR, finish);
+    let pixels = draw(brush, frame, stop_below, Premultiplied::CLEAR, finish);
     Layer { width: frame.view.width, height: frame.view.height, pixels }
 }
 
@@ -91,6 +100,7 @@ fn over_background(
 
 /// Draws all tiles and turns each row of each into pixels: `finish(tile, row in the tile, the row's clouds, out)`.
 fn draw<P: Copy + Send + Sync>(
+    brush: &Brush<'_>,
     frame: &Frame<'_>,
     stop_below: f32,
     empty: P,
@@ -98,13 +108,12 @@ fn draw<P: Copy + Send + Sync>(
 ) -> Vec<P> {
     let sprites = prepare(frame);
     let bins = Bins::new(&sprites, frame.view.width, frame.view.height);
-    let brush = Brush::new(frame.atlas);
     let tiles: Vec<(TileRect, Vec<P>)> = bins
         .tiles()
         .into_par_iter()
         .with_max_len(1)
         .map(|(rect, members)| {
-            let tile = draw_tile(&brush, &sprites, rect, members, stop_below);
+            let tile = draw_tile(brush, &sprites, rect, members, stop_below);
             let mut out = vec![empty; (rect.width * rect.height) as usize];
             for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
                 finish(rect, row, &tile.row(row as usize), line);

@@ -55,9 +55,18 @@ pub struct Brush<'a> {
 impl<'a> Brush<'a> {
     pub fn new(atlas: &'a Atlas) -> Self {
         Self {
-            atlas,
             #[cfg(target_arch = "x86_64")]
             avx2: super::avx2::Avx2Brush::new(atlas),
+            ..Self::one_by_one(atlas)
+        }
+    }
+
+    /// The brush that any processor has.
+    pub fn one_by_one(atlas: &'a Atlas) -> Self {
+        Self {
+            atlas,
+            #[cfg(target_arch = "x86_64")]
+            avx2: None,
         }
     }
 
@@ -91,25 +100,35 @@ impl<'a> Brush<'a> {
     }
 }
 
-/// The rows of a tile that a sprite covers, each with the pixels from first to last whose centres lie in its quad and
-/// beyond the near plane.
+/// The rows of a tile in which a sprite shows, each with the pixels from first to last whose centres lie in the covered
+/// part of its quad and beyond the near plane.
 ///
-/// Every side of the quad is a line on the screen where a linear function changes sign, so a row's span is the
+/// Every side of that part is a line on the screen where a linear function changes sign, so a row's span is the
 /// intersection of half-lines.
 pub fn spans(sprite: &ScreenSprite, rect: TileRect) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
-    let minus =
-        |a: Linear, b: Linear| Linear { at_anchor: a.at_anchor - b.at_anchor, dx: a.dx - b.dx, dy: a.dy - b.dy };
-    let nothing = Linear { at_anchor: 0.0, dx: 0.0, dy: 0.0 };
     let Linear { at_anchor, dx, dy } = sprite.denominator;
-    // depth / denominator ≥ NEAR, times the positive denominator.
-    let beyond_near = Linear { at_anchor: sprite.depth - NEAR_M * at_anchor, dx: -NEAR_M * dx, dy: -NEAR_M * dy };
+    // Coordinate ≥ edge, or ≤ edge, times the positive denominator; depth / denominator ≥ NEAR likewise.
+    let from = |a: Linear, edge: f32| Linear {
+        at_anchor: a.at_anchor - edge * at_anchor,
+        dx: a.dx - edge * dx,
+        dy: a.dy - edge * dy,
+    };
+    let upto = |a: Linear, edge: f32| Linear {
+        at_anchor: edge * at_anchor - a.at_anchor,
+        dx: edge * dx - a.dx,
+        dy: edge * dy - a.dy,
+    };
+    let depth = Linear { at_anchor: sprite.depth, dx: 0.0, dy: 0.0 };
+    let [left, top, right, bottom] = sprite.covered;
+    let always = Linear { at_anchor: 0.0, dx: 0.0, dy: 0.0 };
+    let whole = sprite.outline.is_some();
     let sides = [
-        sprite.u,
-        minus(sprite.denominator, sprite.u),
-        sprite.v,
-        minus(sprite.denominator, sprite.v),
-        if sprite.outline.is_some() { nothing } else { sprite.denominator },
-        if sprite.outline.is_some() { nothing } else { beyond_near },
+        from(sprite.u, left),
+        upto(sprite.u, right),
+        from(sprite.v, top),
+        upto(sprite.v, bottom),
+        if whole { always } else { sprite.denominator },
+        if whole { always } else { from(depth, NEAR_M) },
     ];
     let inverse_dx = sides.map(|side| 1.0 / side.dx);
     let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);

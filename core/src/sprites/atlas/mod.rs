@@ -35,6 +35,8 @@ pub struct TileLevel {
     pub size: usize,
     /// Premultiplied RGBA, `size` × `size`, top row first.
     pub texels: Vec<[u8; 4]>,
+    /// Least u and v, greatest u and v: filtered texels beyond are clear.
+    pub covered: [f32; 4],
 }
 
 /// Why a picture can't be an atlas.
@@ -174,8 +176,23 @@ impl Plane {
 
     fn quantized(&self) -> TileLevel {
         let byte = |c: f32| (c.clamp(0.0, 1.0) * 255.0 + 0.5) as u8;
-        TileLevel { size: self.size, texels: self.texels.iter().map(|t| t.map(byte)).collect() }
+        let texels: Vec<[u8; 4]> = self.texels.iter().map(|t| t.map(byte)).collect();
+        TileLevel { size: self.size, covered: covered(self.size, &texels), texels }
     }
+}
+
+/// Around the texels that are not clear, with the reach of a bilinear filter; nothing for a clear tile.
+fn covered(size: usize, texels: &[[u8; 4]]) -> [f32; 4] {
+    let shown = || (0..texels.len()).filter(|i| texels[*i] != [0; 4]);
+    let (columns, rows) = (|| shown().map(|i| i % size), || shown().map(|i| i / size));
+    let (Some(left), Some(right), Some(top), Some(bottom)) =
+        (columns().min(), columns().max(), rows().min(), rows().max())
+    else {
+        return [0.0; 4];
+    };
+    let before = |texel: usize| ((texel as f32 - 0.5) / size as f32).max(0.0);
+    let after = |texel: usize| ((texel as f32 + 1.5) / size as f32).min(1.0);
+    [before(left), before(top), after(right), after(bottom)]
 }
 
 #[cfg(test)]

@@ -1,0 +1,58 @@
+//! What is drawn, and in which order.
+
+use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::{DrawList, DrawSprite, eye_offset, sort_back_to_front};
+use cloudwright_core::frame::Frame;
+use cloudwright_core::raster::fast;
+use cloudwright_core::scene::Camera;
+use cloudwright_core::sprites::Atlas;
+use cloudwright_tests::small_scenes::heap;
+use glam::{DVec3, Vec3};
+use proptest::prelude::*;
+
+fn any_number() -> impl Strategy<Value = f32> {
+    prop_oneof![Just(0.0), Just(-0.0), Just(f32::NAN), Just(f32::INFINITY), Just(1e-40), -1e3..1e3_f32, any::<f32>()]
+}
+
+proptest! {
+    /// Farthest first, equally far ones in their old order, nothing lost: whatever the numbers.
+    #[test]
+    fn sorted_is_a_total_order(centers in prop::collection::vec((any_number(), any_number(), any_number()), 0..200)) {
+        let before: Vec<DrawSprite> =
+            centers.into_iter().zip(0..).map(|(center, i)| DrawSprite { cloud: i / 7, sprite: i % 7, center: Vec3::from(center) }).collect();
+        let mut after = before.clone();
+        sort_back_to_front(&mut after);
+        let place = |s: &DrawSprite| (s.cloud, s.sprite);
+        let mut places: Vec<_> = after.iter().map(place).collect();
+        for pair in after.windows(2) {
+            let (far, near) = (pair[0].center.length_squared(), pair[1].center.length_squared());
+            if far.is_nan() || near.is_nan() {
+                continue;
+            }
+            prop_assert!(far >= near, "{far} before {near}");
+            prop_assert!(far > near || place(&pair[0]) < place(&pair[1]));
+        }
+        places.sort_unstable();
+        prop_assert_eq!(places, before.iter().map(place).collect::<Vec<_>>());
+    }
+
+    /// Leaving out what the view does not see changes no pixel.
+    #[test]
+    fn culling_by_the_view_does_not_show(
+        x in -300.0..300.0_f64, y in 700.0..1300.0_f64, z in -300.0..900.0_f64,
+        heading_deg in 0.0..360.0_f64, pitch_deg in -90.0..90.0_f64, roll_deg in 0.0..360.0_f64, field_of_view_deg in 5.0..150.0_f64,
+    ) {
+        let scene = heap(25);
+        let derived = Derived::new(&scene);
+        let camera = Camera { heading_deg, pitch_deg, roll_deg, field_of_view_deg, ..Camera::free(DVec3::new(x, y, z)) };
+        let frame = Frame::new(&scene, &derived, Atlas::built_in(), &camera, 12.0, [90, 40]);
+        let cloud = &derived.clouds()[0];
+        let offset = eye_offset(cloud, &frame.view);
+        let mut all: Vec<DrawSprite> =
+            cloud.sprites.iter().zip(0..).map(|(s, sprite)| DrawSprite { cloud: 0, sprite, center: offset + s.position }).collect();
+        sort_back_to_front(&mut all);
+        prop_assert!(frame.list.sprites.len() <= all.len());
+        let whole = Frame { list: DrawList { sprites: all }, ..frame.clone() };
+        prop_assert!(fast::clouds(&frame, fast::NEVER_STOP) == fast::clouds(&whole, fast::NEVER_STOP));
+    }
+}
