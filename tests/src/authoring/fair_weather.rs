@@ -8,65 +8,15 @@ use glam::DVec3;
 pub(super) fn scene() -> Scene {
     let mut sketch = Sketch::new("Fair-weather cumulus", 23);
     let kinds = [
+        ("humilis", Category::CumulusHumilis, cumulus_of([330.0, 250.0], 230.0, 6, [80.0, 135.0], 0.45, 2)),
+        ("broad humilis", Category::CumulusHumilis, cumulus_of([600.0, 330.0], 270.0, 10, [85.0, 165.0], 0.40, 3)),
+        ("mediocris", Category::CumulusCongestus, cumulus_of([540.0, 420.0], 540.0, 9, [115.0, 215.0], 0.62, 2)),
+        ("towering", Category::CumulusCongestus, cumulus_of([680.0, 520.0], 1080.0, 11, [150.0, 265.0], 0.74, 2)),
+        ("scrap", Category::CumulusHumilis, cumulus_of([200.0, 130.0], 120.0, 4, [50.0, 85.0], 0.3, 2)),
         (
-            "humilis",
-            Category::CumulusHumilis,
-            Cumulus {
-                base: [330.0, 260.0],
-                height: 170.0,
-                heaps: 5,
-                heap_radius: [95.0, 140.0],
-                sprite: [85.0, 150.0],
-                peak: 0.35,
-            },
-        ),
-        (
-            "broad humilis",
-            Category::CumulusHumilis,
-            Cumulus {
-                base: [560.0, 340.0],
-                height: 210.0,
-                heaps: 8,
-                heap_radius: [110.0, 160.0],
-                sprite: [100.0, 180.0],
-                peak: 0.30,
-            },
-        ),
-        (
-            "mediocris",
+            "leaning congestus",
             Category::CumulusCongestus,
-            Cumulus {
-                base: [520.0, 430.0],
-                height: 430.0,
-                heaps: 8,
-                heap_radius: [140.0, 210.0],
-                sprite: [115.0, 215.0],
-                peak: 0.55,
-            },
-        ),
-        (
-            "towering",
-            Category::CumulusCongestus,
-            Cumulus {
-                base: [640.0, 540.0],
-                height: 860.0,
-                heaps: 10,
-                heap_radius: [180.0, 260.0],
-                sprite: [140.0, 260.0],
-                peak: 0.68,
-            },
-        ),
-        (
-            "scrap",
-            Category::CumulusHumilis,
-            Cumulus {
-                base: [190.0, 140.0],
-                height: 100.0,
-                heaps: 3,
-                heap_radius: [70.0, 95.0],
-                sprite: [70.0, 120.0],
-                peak: 0.2,
-            },
+            cumulus_of([520.0, 330.0], 760.0, 8, [120.0, 220.0], 0.70, 3),
         ),
     ];
     let models: Vec<_> = kinds
@@ -89,16 +39,16 @@ pub(super) fn scene() -> Scene {
         (4, 1550.0, -1750.0, 0.9),
         (0, -2700.0, -300.0, 1.1),
         (1, -900.0, -3600.0, 1.15),
-        (2, 2700.0, -3300.0, 1.1),
+        (5, 2700.0, -3300.0, 1.1),
         (0, -3600.0, -2600.0, 1.2),
         (4, -2300.0, -2700.0, 1.3),
-        (2, -2900.0, -5200.0, 1.2),
+        (5, -2900.0, -5200.0, 1.2),
         (3, 3900.0, -5600.0, 0.95),
         (1, 900.0, -5600.0, 1.2),
         (0, 4600.0, -2600.0, 1.2),
         (4, 3400.0, -1500.0, 1.2),
         (1, -5200.0, -4700.0, 1.2),
-        (2, -1100.0, -7800.0, 1.3),
+        (5, -1100.0, -7800.0, 1.3),
         (1, 2500.0, -8300.0, 1.3),
         (3, -5200.0, -8000.0, 1.05),
         (0, -1500.0, 1500.0, 1.1),
@@ -120,4 +70,9 @@ pub(super) fn scene() -> Scene {
     sketch.camera("above", DVec3::new(-1500.0, 3000.0, 3600.0), DVec3::new(300.0, 1150.0, -2500.0), 50.0);
     sketch.camera("abreast", DVec3::new(-3300.0, 1450.0, -200.0), DVec3::new(400.0, 1500.0, -2100.0), 45.0);
     sketch.scene
+}
+
+/// A kind of heap: half extent of the base, height, number of heaps and their half width, peak, wisps.
+fn cumulus_of(base: [f64; 2], height: f64, heaps: usize, heap_radius: [f64; 2], peak: f64, wisps: usize) -> Cumulus {
+    Cumulus { base, height, heaps, heap_radius, peak, wisps }
 }

@@ -8,13 +8,14 @@ pub fn levels(rows: [(f64, f32, f32, f32, f32); 5]) -> ColorLevels {
     rows.map(|(height, r, g, b, a)| ColorLevel { height, color: Rgba::new(r, g, b, a) })
 }
 
-/// A heap: dark blue-grey below, near white above.
+/// A heap: dark blue-grey below, paler above, but never so pale that the sun has nothing to add: the lit side is the
+/// sun's.
 pub fn heap() -> ColorLevels {
     levels([
-        (0.0, 0.27, 0.31, 0.39, 0.95),
-        (0.10, 0.32, 0.36, 0.44, 0.98),
-        (0.32, 0.50, 0.54, 0.60, 1.0),
-        (0.65, 0.66, 0.68, 0.71, 1.0),
-        (1.0, 0.74, 0.75, 0.76, 1.0),
+        (0.0, 0.24, 0.28, 0.35, 0.96),
+        (0.12, 0.29, 0.33, 0.40, 0.98),
+        (0.34, 0.42, 0.46, 0.51, 1.0),
+        (0.65, 0.52, 0.54, 0.57, 1.0),
+        (1.0, 0.60, 0.61, 0.63, 1.0),
     ])
 }

@@ -5,6 +5,7 @@
 //! them again.
 
 mod altocumulus;
+mod ball;
 mod cumulonimbus;
 mod cumulus;
 mod fair_weather;
@@ -19,8 +20,11 @@ pub use sketch::{Sketch, Strew};
 
 use cloudwright_core::scene::Scene;
 
+/// A scene's name and how it is made.
+pub type NamedScene = (&'static str, fn() -> Scene);
+
 /// The name of each shipped scene's file, without its ending, and how it is made.
-pub const SCENES: &[(&str, fn() -> Scene)] = &[
+pub const SCENES: &[NamedScene] = &[
     ("single_cumulus", single_cumulus::scene),
     ("fair_weather", fair_weather::scene),
     ("cumulonimbus_dusk", cumulonimbus::scene),

@@ -13,13 +13,16 @@ use glam::DVec3;
 const ROLLS: usize = 8;
 const CELLS: usize = 5;
 const EXTENT_M: f64 = 4000.0;
+/// Models of cells within the deck, and of cells at its edge.
+const INNER: usize = 7;
+const EDGE: usize = 3;
 const BASE_M: f64 = 900.0;
 
 pub(super) fn scene() -> Scene {
     let mut sketch = Sketch::new("Stratocumulus overcast", 41);
-    let models: Vec<_> = (0..8)
+    let models: Vec<_> = (0..INNER + EDGE)
         .map(|i| {
-            let model = cell(&mut sketch, i);
+            let model = cell(&mut sketch, i, i >= INNER);
             let id = model.id;
             sketch.scene.models.push(model);
             id
@@ -34,7 +37,8 @@ pub(super) fn scene() -> Scene {
             let position = DVec3::new(x, BASE_M + sketch.roll(-20.0, 20.0), z);
             let heading = if sketch.roll(0.0, 1.0) < 0.5 { 0.0 } else { 180.0 } + sketch.roll(-8.0, 8.0);
             let number = roll * CELLS + cell;
-            let model = models[(number * 3 + roll) % models.len()];
+            let at_edge = roll == 0 || roll == ROLLS - 1 || cell == 0 || cell == CELLS - 1;
+            let model = if at_edge { models[INNER + number % EDGE] } else { models[(number * 3 + roll) % INNER] };
             sketch.place(
                 model,
                 &format!("roll {}, cell {}", roll + 1, cell + 1),
@@ -47,6 +51,7 @@ pub(super) fn scene() -> Scene {
     }
     let scene = &mut sketch.scene;
     scene.time_of_day_h = 9.5;
+    scene.sky.exposure_ev = -0.15;
     scene.sky.turbidity = 4.0;
     scene.sky.haze_length_m = 14_000.0;
     sketch.camera("main", DVec3::new(-1900.0, 1650.0, 2300.0), DVec3::new(300.0, 1050.0, -400.0), 50.0);
@@ -56,28 +61,31 @@ pub(super) fn scene() -> Scene {
     sketch.scene
 }
 
-/// One cell of a roll, some 850 m × 480 m: base, two bodies, a crest, heads.
-fn cell(sketch: &mut Sketch, i: usize) -> CloudModel {
+/// One cell of a roll, some 850 m × 480 m: base, two bodies, a crest, heads. Each layer has tiles from small to twice
+/// as large, so that smooth swellings lie between the fine ones. At the deck's `edge` the cell is low.
+fn cell(sketch: &mut Sketch, i: usize, edge: bool) -> CloudModel {
     let levels = levels([
-        (0.0, 0.30, 0.34, 0.41, 0.92),
-        (0.15, 0.35, 0.39, 0.46, 0.97),
-        (0.40, 0.50, 0.54, 0.60, 1.0),
-        (0.70, 0.64, 0.67, 0.71, 1.0),
-        (1.0, 0.72, 0.74, 0.76, 1.0),
+        (0.0, 0.27, 0.31, 0.38, 0.92),
+        (0.15, 0.32, 0.36, 0.43, 0.97),
+        (0.40, 0.45, 0.49, 0.55, 1.0),
+        (0.70, 0.55, 0.58, 0.62, 1.0),
+        (1.0, 0.62, 0.64, 0.67, 1.0),
     ]);
-    let mut model = sketch.model(&format!("cell {}", i + 1), Category::Stratocumulus, 0.30, levels);
-    let strew = Strew { count: 118, squash: 0.75, light: [0.0, 0.34, 0.85], pull: 0.15, ..Strew::default() };
+    let name = format!("{} {}", if edge { "edge cell" } else { "cell" }, i + 1);
+    let mut model = sketch.model(&name, Category::Stratocumulus, 0.14, levels);
+    let low = if edge { 0.55 } else { 1.0 };
+    let strew = Strew { count: 116, squash: 0.8, light: [0.0, 0.20, 0.90], pull: 0.28, ..Strew::default() };
     sketch.strew(
         &mut model,
         "base",
         Strew {
             center: DVec3::new(0.0, 45.0, 0.0),
-            size: DVec3::new(860.0, 30.0, 470.0),
-            count: 112,
-            sprite: [120.0, 190.0],
+            size: DVec3::new(880.0, 30.0, 490.0),
+            count: 108,
+            sprite: [120.0, 230.0],
             squash: 0.6,
             category: Category::Stratus,
-            light: [0.0, 0.12, 0.35],
+            light: [0.0, 0.10, 0.34],
             lumps: [5, 1, 3],
             ..strew
         },
@@ -87,9 +95,13 @@ fn cell(sketch: &mut Sketch, i: usize) -> CloudModel {
             &mut model,
             name,
             Strew {
-                center: DVec3::new(side * 210.0, 120.0 + sketch.roll(-10.0, 15.0), sketch.roll(-30.0, 30.0)),
-                size: DVec3::new(410.0, 110.0, 400.0),
-                sprite: [90.0, 150.0],
+                center: DVec3::new(
+                    side * 215.0,
+                    60.0 + 62.0 * low + sketch.roll(-10.0, 15.0),
+                    sketch.roll(-30.0, 30.0),
+                ),
+                size: DVec3::new(430.0, 110.0 * low, 410.0),
+                sprite: [95.0, 215.0],
                 category: Category::Stratocumulus,
                 lumps: [3, 1, 3],
                 ..strew
@@ -100,10 +112,10 @@ fn cell(sketch: &mut Sketch, i: usize) -> CloudModel {
         &mut model,
         "crest",
         Strew {
-            center: DVec3::new(sketch.roll(-60.0, 60.0), 205.0, sketch.roll(-40.0, 40.0)),
-            size: DVec3::new(720.0, 70.0, 270.0),
-            sprite: [80.0, 130.0],
-            category: Category::CumulusHumilis,
+            center: DVec3::new(sketch.roll(-60.0, 60.0), 60.0 + 145.0 * low, sketch.roll(-40.0, 40.0)),
+            size: DVec3::new(740.0, 80.0 * low, 300.0),
+            sprite: [95.0, 270.0],
+            category: Category::Stratocumulus,
             lumps: [5, 1, 2],
             ..strew
         },
@@ -112,13 +124,12 @@ fn cell(sketch: &mut Sketch, i: usize) -> CloudModel {
         &mut model,
         "heads",
         Strew {
-            center: DVec3::new(sketch.roll(-80.0, 80.0), 255.0, sketch.roll(-30.0, 30.0)),
-            size: DVec3::new(640.0, 60.0, 190.0),
-            count: 105,
-            sprite: [55.0, 95.0],
-            category: Category::SolidCumulus,
-            light: [0.0, 0.40, 1.0],
-            lumps: [6, 1, 2],
+            center: DVec3::new(sketch.roll(-80.0, 80.0), 60.0 + 195.0 * low, sketch.roll(-30.0, 30.0)),
+            size: DVec3::new(680.0, 70.0 * low, 240.0),
+            sprite: [80.0, 240.0],
+            category: Category::CumulusHumilis,
+            light: [0.0, 0.24, 1.04],
+            lumps: [5, 1, 2],
             ..strew
         },
     );

@@ -6,22 +6,16 @@ use cloudwright_core::scene::{Category, Scene};
 use glam::DVec3;
 
 pub(super) fn scene() -> Scene {
-    let mut sketch = Sketch::new("Single cumulus", 11);
-    let kind = Cumulus {
-        base: [620.0, 470.0],
-        height: 620.0,
-        heaps: 9,
-        heap_radius: [170.0, 250.0],
-        sprite: [130.0, 240.0],
-        peak: 0.55,
-    };
+    let mut sketch = Sketch::new("Single cumulus", 14);
+    let kind =
+        Cumulus { base: [640.0, 470.0], height: 860.0, heaps: 9, heap_radius: [165.0, 255.0], peak: 0.62, wisps: 3 };
     let model = cumulus(&mut sketch, "cumulus", Category::CumulusCongestus, &kind);
     let id = model.id;
     sketch.scene.models.push(model);
     let base = 900.0;
     sketch.place(id, "cumulus", DVec3::new(0.0, base, 0.0), 20.0, 1.0, None);
-    sketch.scene.time_of_day_h = 15.5;
-    let middle = DVec3::new(0.0, base + 330.0, 0.0);
+    sketch.scene.time_of_day_h = 16.5;
+    let middle = DVec3::new(0.0, base + 360.0, 0.0);
     sketch.camera("main", DVec3::new(-700.0, 820.0, 2300.0), middle, 30.0);
     sketch.camera("east", DVec3::new(2500.0, 1150.0, 300.0), middle, 30.0);
     sketch.camera("below", DVec3::new(-250.0, 350.0, 900.0), DVec3::new(0.0, base, 0.0), 55.0);

@@ -34,6 +34,8 @@ pub struct Strew {
     pub light: [f64; 3],
     /// Share of the way that the group's centre is moved to the cloud's.
     pub pull: f64,
+    /// The group's centre put here instead, metres in the model: the side of the cloud that the lumps belong to.
+    pub heart: Option<DVec3>,
     /// Lumps along the box's axes.
     pub lumps: [u32; 3],
     /// Turn about the vertical, degrees.
@@ -51,6 +53,7 @@ impl Default for Strew {
             category: Category::SolidCumulus,
             light: [0.0, 0.42, 1.0],
             pull: 0.33,
+            heart: None,
             lumps: [1, 1, 1],
             turn_deg: 0.0,
         }
@@ -104,14 +107,19 @@ impl Sketch {
         cloud_box.sprite_count = strew.count;
         cloud_box.width = strew.sprite.map(f64::round);
         cloud_box.height = strew.sprite.map(|side| (side * strew.squash).round());
-        cloud_box.rotation_deg = if flat || strew.squash < 0.8 { [-5.0, 5.0] } else { [0.0, 360.0] };
+        let square = (0.8..1.25).contains(&strew.squash);
+        cloud_box.rotation_deg = if flat || !square { [-5.0, 5.0] } else { [0.0, 360.0] };
         cloud_box.category = (strew.category != model.category).then_some(strew.category);
         cloud_box.lumps = strew.lumps;
         cloud_box.light = GroupLight {
             c_min,
             c_med,
             c_max,
-            center: if strew.pull > 0.0 { GroupCenter::Pulled(strew.pull) } else { GroupCenter::Mean },
+            center: match strew.heart {
+                Some(heart) => GroupCenter::At(metre(heart)),
+                None if strew.pull > 0.0 => GroupCenter::Pulled(strew.pull),
+                None => GroupCenter::Mean,
+            },
         };
         model.boxes.push(cloud_box);
     }
