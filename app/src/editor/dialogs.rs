@@ -118,7 +118,8 @@ fn ask_path(context: &egui::Context, ask: &Ask, text: &mut String) -> Option<Opt
         ui.set_width(theme::DIALOG_WIDTH);
         ui.heading(title);
         ui.add_space(theme::GAP);
-        let label = ui.label("This desktop shows no file dialog (no portal, no zenity). Path of the file:");
+        ui.label("This desktop shows no file dialog (it has no portal and no zenity).");
+        let label = ui.label("Path of the file");
         let field = ui.add(TextEdit::singleline(text).desired_width(f32::INFINITY)).labelled_by(label.id);
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         let path = (!text.trim().is_empty()).then(|| PathBuf::from(text.trim()));
