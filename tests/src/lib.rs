@@ -1,1 +1,3 @@
-//! stub
+//! Shared by the tests and benches: scenes built in code, and comparisons.
+
+pub mod gpu;

@@ -7,7 +7,7 @@
 mod dome;
 mod ground;
 
-pub use dome::{Dome, DomeTables};
+pub use dome::{Dome, DomeTables, HORIZON_SINE, SUN_DISC_COSINES};
 pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook};
 
 use crate::color::Rgb;

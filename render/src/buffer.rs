@@ -1,0 +1,59 @@
+//! A vertex buffer that grows: rewritten every frame, allocated anew only when a frame needs more.
+
+use crate::{Gpu, RenderError};
+
+/// Elements for the vertex stage.
+#[derive(Debug)]
+pub(crate) struct VertexBuffer {
+    buffer: wgpu::Buffer,
+    count: u32,
+}
+
+impl VertexBuffer {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        Self { buffer: Self::with_size(gpu, 1024), count: 0 }
+    }
+
+    fn with_size(gpu: &Gpu, size: u64) -> wgpu::Buffer {
+        gpu.device().create_buffer(&wgpu::BufferDescriptor {
+            label: Some("sprites in draw order"),
+            size,
+            usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
+            mapped_at_creation: false,
+        })
+    }
+
+    /// Replaces the elements.
+    ///
+    /// # Errors
+    /// If they exceed the device's largest buffer.
+    pub(crate) fn write<T: bytemuck::Pod>(&mut self, gpu: &Gpu, elements: &[T]) -> Result<(), RenderError> {
+        let bytes: &[u8] = bytemuck::cast_slice(elements);
+        let (wanted, limit) = (bytes.len() as u64, gpu.device().limits().max_buffer_size);
+        if wanted > limit {
+            return Err(RenderError::TooLarge {
+                what: "the list of sprites in view",
+                wanted,
+                limit_name: "max_buffer_size",
+                limit,
+                remedy: "show fewer sprites, or draw on the CPU",
+            });
+        }
+        if wanted > self.buffer.size() {
+            // Room to grow, so that a flight into a cloud does not allocate every frame.
+            self.buffer = Self::with_size(gpu, (wanted + wanted / 2).next_multiple_of(4).min(limit));
+        }
+        gpu.queue().write_buffer(&self.buffer, 0, bytes);
+        self.count = elements.len() as u32;
+        Ok(())
+    }
+
+    pub(crate) fn slice(&self) -> wgpu::BufferSlice<'_> {
+        self.buffer.slice(..)
+    }
+
+    /// How many elements it holds.
+    pub(crate) fn count(&self) -> u32 {
+        self.count
+    }
+}

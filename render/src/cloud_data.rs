@@ -1,0 +1,143 @@
+//! The scene's clouds on the GPU.
+//!
+//! On the edit clock: sprites, groups and clouds, in data textures, written when the clouds' version is another.
+//! On the camera clock: which sprites to draw in what order, and where each cloud lies from the eye; that difference is
+//! taken in f64 here, so that a scene 1,000 km from the origin is as sharp as one at it.
+//! The structs are texels of four words; sprites.wgsl reads them.
+
+use crate::buffer::VertexBuffer;
+use crate::texture::DataTexture;
+use crate::{Gpu, RenderError};
+use cloudwright_core::draw_list::eye_offset;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::sprites::{Group, PlacedCloud, Sprite};
+use cloudwright_core::version::Version;
+
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(crate) struct SpriteTexels {
+    position: [f32; 3],
+    width: f32,
+    height: f32,
+    sin_rotation: f32,
+    cos_rotation: f32,
+    /// Address of its group, times 16, plus its tile.
+    group_and_tile: u32,
+}
+
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(crate) struct GroupTexels {
+    center: [f32; 3],
+    c: [f32; 3],
+    unused: [f32; 2],
+}
+
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(crate) struct CloudTexels {
+    bottom: f32,
+    top: f32,
+    level_height_4: f32,
+    unused: f32,
+    level_heights_0_to_3: [f32; 4],
+    level_colors: [[f32; 4]; 5],
+}
+
+/// All that the sprites pass reads but the atlas.
+#[derive(Debug)]
+pub(crate) struct CloudData {
+    pub(crate) sprites: DataTexture,
+    pub(crate) groups: DataTexture,
+    pub(crate) clouds: DataTexture,
+    pub(crate) offsets: DataTexture,
+    /// Cloud index and sprite address of each sprite to draw, back to front.
+    pub(crate) order: VertexBuffer,
+    /// Each cloud's first sprite and how many it has.
+    sprites_of_cloud: Vec<(u32, u32)>,
+    uploaded: Option<Version>,
+}
+
+impl CloudData {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        Self {
+            sprites: DataTexture::new(gpu, "sprites"),
+            groups: DataTexture::new(gpu, "shading groups"),
+            clouds: DataTexture::new(gpu, "clouds"),
+            offsets: DataTexture::new(gpu, "clouds from the eye"),
+            order: VertexBuffer::new(gpu),
+            sprites_of_cloud: Vec::new(),
+            uploaded: None,
+        }
+    }
+
+    /// Brings everything up to date with `frame`. True if a texture is a new one.
+    ///
+    /// # Errors
+    /// If the device can't hold so many sprites.
+    pub(crate) fn update(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<bool, RenderError> {
+        let mut renewed = false;
+        if self.uploaded != Some(frame.clouds_version) {
+            self.uploaded = None;
+            renewed |= self.write_clouds(gpu, frame.clouds)?;
+            self.uploaded = Some(frame.clouds_version);
+        }
+        let offsets: Vec<[f32; 4]> =
+            frame.clouds.iter().map(|cloud| eye_offset(cloud, &frame.view).extend(0.0).to_array()).collect();
+        renewed |= self.offsets.write(gpu, &offsets)?;
+        self.write_order(gpu, frame)?;
+        Ok(renewed)
+    }
+
+    fn write_clouds(&mut self, gpu: &Gpu, clouds: &[PlacedCloud]) -> Result<bool, RenderError> {
+        let (mut sprites, mut groups) = (Vec::new(), Vec::new());
+        self.sprites_of_cloud.clear();
+        for cloud in clouds {
+            let first_group = groups.len() as u32;
+            self.sprites_of_cloud.push((sprites.len() as u32, cloud.sprites.len() as u32));
+            sprites.extend(cloud.sprites.iter().map(|sprite| sprite_texels(sprite, first_group)));
+            groups.extend(cloud.groups.iter().map(group_texels));
+        }
+        let clouds: Vec<CloudTexels> = clouds.iter().map(cloud_texels).collect();
+        Ok(self.sprites.write(gpu, &sprites)? | self.groups.write(gpu, &groups)? | self.clouds.write(gpu, &clouds)?)
+    }
+
+    fn write_order(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<(), RenderError> {
+        let in_order = frame.list.sprites.iter().filter_map(|drawn| {
+            // A list of other clouds than the frame's would be a fault of the caller's; it draws what there is.
+            let (first, count) = *self.sprites_of_cloud.get(drawn.cloud as usize)?;
+            (drawn.sprite < count).then_some([drawn.cloud, first + drawn.sprite])
+        });
+        let in_order: Vec<[u32; 2]> = in_order.collect();
+        self.order.write(gpu, &in_order)
+    }
+}
+
+fn sprite_texels(sprite: &Sprite, first_group: u32) -> SpriteTexels {
+    let (sin_rotation, cos_rotation) = sprite.rotation.sin_cos();
+    SpriteTexels {
+        position: sprite.position.to_array(),
+        width: sprite.width,
+        height: sprite.height,
+        sin_rotation,
+        cos_rotation,
+        group_and_tile: ((first_group + sprite.group) << 4) | u32::from(sprite.tile & 15),
+    }
+}
+
+fn group_texels(group: &Group) -> GroupTexels {
+    GroupTexels { center: group.center.to_array(), c: group.c, unused: [0.0; 2] }
+}
+
+fn cloud_texels(cloud: &PlacedCloud) -> CloudTexels {
+    let heights = cloud.color_levels.map(|level| level.height as f32);
+    let [h0, h1, h2, h3, level_height_4] = heights;
+    CloudTexels {
+        bottom: cloud.bottom,
+        top: cloud.top,
+        level_height_4,
+        unused: 0.0,
+        level_heights_0_to_3: [h0, h1, h2, h3],
+        level_colors: cloud.color_levels.map(|level| level.color.to_array()),
+    }
+}

@@ -1,0 +1,145 @@
+//! The sprites: instanced quads, back to front, premultiplied `over`.
+//!
+//! An instance is a pair of numbers, the cloud and the sprite; the vertex shader reads what they are from data textures,
+//! turns the quad to the eye and lights its corners. There is no depth buffer: the draw list's order is the order.
+
+use super::{FrameBinding, begin};
+use crate::atlas_texture::AtlasTexture;
+use crate::cloud_data::CloudData;
+use crate::texture::LINEAR_FORMAT;
+use crate::{Gpu, shader};
+
+#[derive(Debug)]
+pub(crate) struct SpritesPass {
+    pipeline: wgpu::RenderPipeline,
+    layout: wgpu::BindGroupLayout,
+    sampler: wgpu::Sampler,
+}
+
+impl SpritesPass {
+    pub(crate) fn new(gpu: &Gpu, frame: &FrameBinding) -> Self {
+        let layout = gpu.device().create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("sprites"),
+            entries: &[
+                data_entry(0),
+                data_entry(1),
+                data_entry(2),
+                data_entry(3),
+                wgpu::BindGroupLayoutEntry {
+                    binding: 4,
+                    visibility: wgpu::ShaderStages::FRAGMENT,
+                    ty: wgpu::BindingType::Texture {
+                        sample_type: wgpu::TextureSampleType::Float { filterable: true },
+                        view_dimension: wgpu::TextureViewDimension::D2Array,
+                        multisampled: false,
+                    },
+                    count: None,
+                },
+                wgpu::BindGroupLayoutEntry {
+                    binding: 5,
+                    visibility: wgpu::ShaderStages::FRAGMENT,
+                    ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
+                    count: None,
+                },
+            ],
+        });
+        // Clamped to the edge, which is clear at every level.
+        let sampler = gpu.device().create_sampler(&wgpu::SamplerDescriptor {
+            label: Some("atlas"),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            mipmap_filter: wgpu::MipmapFilterMode::Linear,
+            ..Default::default()
+        });
+        let pipeline = pipeline(gpu, &[Some(&frame.layout), Some(&layout)]);
+        Self { pipeline, layout, sampler }
+    }
+
+    /// The binding that reads `clouds` and `atlas`; stale when a texture of theirs is replaced.
+    pub(crate) fn bind(&self, gpu: &Gpu, clouds: &CloudData, atlas: &AtlasTexture) -> wgpu::BindGroup {
+        let views = [&clouds.sprites.view, &clouds.groups.view, &clouds.clouds.view, &clouds.offsets.view, &atlas.view];
+        let mut entries: Vec<_> = views
+            .into_iter()
+            .zip(0..)
+            .map(|(view, binding)| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) })
+            .collect();
+        entries.push(wgpu::BindGroupEntry { binding: 5, resource: wgpu::BindingResource::Sampler(&self.sampler) });
+        gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("sprites"),
+            layout: &self.layout,
+            entries: &entries,
+        })
+    }
+
+    /// Blends the sprites over what `target` shows, or over nothing where `load` clears it.
+    pub(crate) fn record(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBinding,
+        (clouds, binding): (&CloudData, &wgpu::BindGroup),
+        (target, load): (&wgpu::TextureView, wgpu::LoadOp<wgpu::Color>),
+        timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
+    ) {
+        let mut pass = begin(encoder, "sprites", target, load, timestamps);
+        if clouds.order.count() == 0 {
+            return;
+        }
+        pass.set_pipeline(&self.pipeline);
+        pass.set_bind_group(0, &frame.group, &[]);
+        pass.set_bind_group(1, binding, &[]);
+        pass.set_vertex_buffer(0, clouds.order.slice());
+        pass.draw(0..4, 0..clouds.order.count());
+    }
+}
+
+fn data_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
+    wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::VERTEX,
+        ty: wgpu::BindingType::Texture {
+            sample_type: wgpu::TextureSampleType::Uint,
+            view_dimension: wgpu::TextureViewDimension::D2,
+            multisampled: false,
+        },
+        count: None,
+    }
+}
+
+fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::RenderPipeline {
+    let device = gpu.device();
+    let module = shader::module(device, "sprites", shader::sprites());
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some("sprites"),
+        bind_group_layouts: layouts,
+        immediate_size: 0,
+    });
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some("sprites"),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("place_corner"),
+            compilation_options: Default::default(),
+            buffers: &[Some(wgpu::VertexBufferLayout {
+                array_stride: size_of::<[u32; 2]>() as u64,
+                step_mode: wgpu::VertexStepMode::Instance,
+                attributes: &wgpu::vertex_attr_array![0 => Uint32x2],
+            })],
+        },
+        primitive: wgpu::PrimitiveState { topology: wgpu::PrimitiveTopology::TriangleStrip, ..Default::default() },
+        depth_stencil: None,
+        multisample: wgpu::MultisampleState::default(),
+        fragment: Some(wgpu::FragmentState {
+            module: &module,
+            entry_point: Some("draw_sprite"),
+            compilation_options: Default::default(),
+            targets: &[Some(wgpu::ColorTargetState {
+                format: LINEAR_FORMAT,
+                blend: Some(wgpu::BlendState::PREMULTIPLIED_ALPHA_BLENDING),
+                write_mask: wgpu::ColorWrites::ALL,
+            })],
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}

@@ -1,0 +1,220 @@
+// The sprites: each turned to the eye (the twin of core/src/facing.rs), its corners lit (core/src/shading/), hazed, and
+// drawn as ScreenSprite::fragment does (core/src/raster/prepare.rs).
+//
+// What the sprites are lies in data textures, texel after texel in rows of DATA_ROW, written when the scene changes
+// (cloud_data.rs has the Rust side). A vertex is a corner; each of the four computes all four corners' light, because
+// light runs bilinearly over the quad and not linearly over its two triangles.
+
+const DATA_ROW_BITS = 11u;
+const SPRITE_TEXELS = 2u;
+const GROUP_TEXELS = 2u;
+const CLOUD_TEXELS = 7u;
+const TILE_SIZE: f32 = 128.0;
+const LAST_MIP: f32 = 4.0;
+
+@group(1) @binding(0) var sprite_data: texture_2d<u32>;
+@group(1) @binding(1) var group_data: texture_2d<u32>;
+@group(1) @binding(2) var cloud_data: texture_2d<u32>;
+// Where each cloud's origin lies from the eye: written every frame.
+@group(1) @binding(3) var offset_data: texture_2d<u32>;
+@group(1) @binding(4) var atlas: texture_2d_array<f32>;
+@group(1) @binding(5) var atlas_sampler: sampler;
+
+struct Corner {
+    @builtin(position) position: vec4f,
+    @location(0) uv: vec2f,
+    // Light at (u, v): base + u·right + v·down + u·v·both; straight linear rgb after haze, and alpha.
+    @location(1) @interpolate(flat) light_base: vec4f,
+    @location(2) @interpolate(flat) light_right: vec4f,
+    @location(3) @interpolate(flat) light_down: vec4f,
+    @location(4) @interpolate(flat) light_both: vec4f,
+    // What haze adds for a fragment of alpha 1, and the mip level.
+    @location(5) @interpolate(flat) haze_and_mip: vec4f,
+    @location(6) @interpolate(flat) tile: u32,
+}
+
+@vertex
+fn place_corner(
+    @builtin(vertex_index) corner_index: u32,
+    @location(0) cloud_and_sprite: vec2u,
+) -> Corner {
+    let sprite = load_sprite(cloud_and_sprite.y);
+    let cloud = load_cloud(cloud_and_sprite.x);
+    let group = load_group(sprite.group);
+    let center = load(offset_data, cloud_and_sprite.x).xyz + sprite.position;
+
+    let facing = face_eye(center, sprite.rotation);
+    let to_right = facing.right * (0.5 * sprite.width);
+    let to_top = facing.up * (0.5 * sprite.height);
+
+    let distance_m = length(center);
+    let hazed = haze_share(distance_m);
+    let top_left = corner_light(sprite.position - to_right + to_top, cloud, group, hazed);
+    let top_right = corner_light(sprite.position + to_right + to_top, cloud, group, hazed);
+    let bottom_left = corner_light(sprite.position - to_right - to_top, cloud, group, hazed);
+    let bottom_right = corner_light(sprite.position + to_right - to_top, cloud, group, hazed);
+
+    let uv = vec2f(f32(corner_index & 1u), f32(corner_index >> 1u));
+    var out: Corner;
+    out.position = project(center + to_right * (2.0 * uv.x - 1.0) + to_top * (1.0 - 2.0 * uv.y));
+    out.uv = uv;
+    out.light_base = top_left;
+    out.light_right = top_right - top_left;
+    out.light_down = bottom_left - top_left;
+    out.light_both = (bottom_right - bottom_left) - (top_right - top_left);
+    out.haze_and_mip = vec4f(horizon_radiance(center) * hazed, mip_level(center, sprite));
+    out.tile = sprite.tile;
+    return out;
+}
+
+@fragment
+fn draw_sprite(in: Corner) -> @location(0) vec4f {
+    let light = in.light_base + in.uv.x * in.light_right + in.uv.y * (in.light_down + in.uv.x * in.light_both);
+    let texel = textureSampleLevel(atlas, atlas_sampler, in.uv, in.tile, in.haze_and_mip.w);
+    let rgb = texel.rgb * light.rgb + texel.a * in.haze_and_mip.rgb;
+    return light.a * vec4f(rgb, texel.a);
+}
+
+// Depth runs from the near plane to infinity; there is no depth buffer, z only clips.
+fn project(point: vec3f) -> vec4f {
+    let depth = dot(point, frame.forward_in_world);
+    let to_clip = 2.0 / (frame.pixel * vec2f(frame.width_px, frame.height_px));
+    let on_plane = vec2f(dot(point, frame.right_in_world), dot(point, frame.up_in_world));
+    return vec4f(on_plane * to_clip, depth - frame.near_m, depth);
+}
+
+// log₂ of the tile's texels that fall on a pixel, within the levels there are.
+fn mip_level(center: vec3f, sprite: Sprite) -> f32 {
+    let depth = max(dot(center, frame.forward_in_world), frame.near_m);
+    let texels = TILE_SIZE * depth * frame.pixel / sqrt(sprite.width * sprite.height);
+    return clamp(log2(texels), 0.0, LAST_MIP);
+}
+
+struct Facing {
+    right: vec3f,
+    up: vec3f,
+}
+
+// How a sprite at `center` (eye-relative) is turned; `rotation` is sine and cosine, counter-clockwise as seen.
+fn face_eye(center: vec3f, rotation: vec2f) -> Facing {
+    let to_eye = unit_or(-center, vec3f(0.0, 0.0, 1.0));
+    let upright = upright_across(to_eye);
+    let level_right = cross(upright, to_eye);
+    return Facing(
+        level_right * rotation.y + upright * rotation.x,
+        upright * rotation.y - level_right * rotation.x,
+    );
+}
+
+// The unturned sprite's up: the world's, and towards the poles the camera's.
+fn upright_across(to_eye: vec3f) -> vec3f {
+    let any_axis = select(vec3f(0.0, 0.0, 1.0), vec3f(1.0, 0.0, 0.0), abs(to_eye.x) < 0.8);
+    let fallback = normalize(across(any_axis, to_eye));
+    let pole = smoothstep(frame.pole_sines.x, frame.pole_sines.y, abs(to_eye.y));
+    let world = unit_or(across(vec3f(0.0, 1.0, 0.0), to_eye), vec3f(0.0));
+    let camera = unit_or(across(frame.up_in_world, to_eye), world);
+    return unit_or(world * (1.0 - pole) + camera * pole, fallback);
+}
+
+// The light at a point that counts from the cloud's origin: linear rgb, straight, what haze leaves of it; alpha.
+fn corner_light(point: vec3f, cloud: Cloud, group: Group, hazed: f32) -> vec4f {
+    let level = level_color(cloud, height_within(cloud, point.y));
+    let directional = frame.directional_max * directional_share(point - group.center, group.c);
+    let rgb = level.rgb * frame.ambient_max.rgb + directional;
+    return vec4f(rgb * (1.0 - hazed), clamp(level.a * frame.ambient_max.a, 0.0, 1.0));
+}
+
+// g(d), d the cosine between `outward` and the sun: Cmin at −1, Cmed at 0, Cmax at 1.
+fn directional_share(outward: vec3f, c: vec3f) -> f32 {
+    let d = clamp(dot(unit_or(outward, vec3f(0.0)), frame.sun_direction), -1.0, 1.0);
+    return c.y + d * select(c.z - c.y, c.y - c.x, d < 0.0);
+}
+
+fn height_within(cloud: Cloud, y: f32) -> f32 {
+    let extent = cloud.top - cloud.bottom;
+    if extent > 0.0 {
+        return clamp((y - cloud.bottom) / extent, 0.0, 1.0);
+    }
+    return 0.0;
+}
+
+// The first level above `height` and the one below it; written out so that no array is indexed at run time.
+fn level_color(cloud: Cloud, height: f32) -> vec4f {
+    var color = cloud.color_4;
+    color = between(color, cloud.heights.w, cloud.color_3, cloud.height_4, cloud.color_4, height);
+    color = between(color, cloud.heights.z, cloud.color_2, cloud.heights.w, cloud.color_3, height);
+    color = between(color, cloud.heights.y, cloud.color_1, cloud.heights.z, cloud.color_2, height);
+    color = between(color, cloud.heights.x, cloud.color_0, cloud.heights.y, cloud.color_1, height);
+    return select(color, cloud.color_0, cloud.heights.x > height);
+}
+
+fn between(otherwise: vec4f, from_height: f32, from_color: vec4f, to_height: f32, to_color: vec4f, height: f32) -> vec4f {
+    if to_height > height {
+        return mix(from_color, to_color, (height - from_height) / (to_height - from_height));
+    }
+    return otherwise;
+}
+
+struct Sprite {
+    position: vec3f,
+    width: f32,
+    height: f32,
+    // Sine and cosine: a shader's own may be off by 2⁻¹¹.
+    rotation: vec2f,
+    group: u32,
+    tile: u32,
+}
+
+struct Group {
+    center: vec3f,
+    c: vec3f,
+}
+
+struct Cloud {
+    bottom: f32,
+    top: f32,
+    heights: vec4f,
+    height_4: f32,
+    color_0: vec4f,
+    color_1: vec4f,
+    color_2: vec4f,
+    color_3: vec4f,
+    color_4: vec4f,
+}
+
+fn load_bits(data: texture_2d<u32>, address: u32) -> vec4u {
+    return textureLoad(data, vec2u(address & ((1u << DATA_ROW_BITS) - 1u), address >> DATA_ROW_BITS), 0);
+}
+
+fn load(data: texture_2d<u32>, address: u32) -> vec4f {
+    return bitcast<vec4f>(load_bits(data, address));
+}
+
+fn load_sprite(index: u32) -> Sprite {
+    let first = load(sprite_data, index * SPRITE_TEXELS);
+    let second = load_bits(sprite_data, index * SPRITE_TEXELS + 1u);
+    let floats = bitcast<vec4f>(second);
+    return Sprite(first.xyz, first.w, floats.x, floats.yz, second.w >> 4u, second.w & 15u);
+}
+
+fn load_group(index: u32) -> Group {
+    let first = load(group_data, index * GROUP_TEXELS);
+    let second = load(group_data, index * GROUP_TEXELS + 1u);
+    return Group(first.xyz, vec3f(first.w, second.xy));
+}
+
+fn load_cloud(index: u32) -> Cloud {
+    let at = index * CLOUD_TEXELS;
+    let extent = load(cloud_data, at);
+    return Cloud(
+        extent.x,
+        extent.y,
+        load(cloud_data, at + 1u),
+        extent.z,
+        load(cloud_data, at + 2u),
+        load(cloud_data, at + 3u),
+        load(cloud_data, at + 4u),
+        load(cloud_data, at + 5u),
+        load(cloud_data, at + 6u),
+    );
+}

@@ -1,0 +1,48 @@
+// The sky of Hosek and Wilkie (2012), the sun's disc, and the haze that takes the horizon's colour.
+// The twin of core/src/sky/dome.rs, by its formulas and not its tables.
+
+// 1 + A exp(B / (cos theta + 0.01)).
+fn around_zenith(cos_theta: f32) -> vec3f {
+    return 1.0 + frame.dome_parameters[0].rgb * exp(frame.dome_parameters[1].rgb / (cos_theta + 0.01));
+}
+
+// C + D exp(E gamma) + F cos² gamma + G chi(gamma).
+fn around_sun(cos_gamma: f32) -> vec3f {
+    let gamma = arc_cosine(cos_gamma);
+    let cos2 = cos_gamma * cos_gamma;
+    let i = frame.dome_parameters[8].rgb;
+    let base = 1.0 + i * i - 2.0 * i * cos_gamma;
+    return frame.dome_parameters[2].rgb
+        + frame.dome_parameters[3].rgb * exp(frame.dome_parameters[4].rgb * gamma)
+        + frame.dome_parameters[5].rgb * cos2
+        + frame.dome_parameters[6].rgb * (1.0 + cos2) / (base * sqrt(base));
+}
+
+// Radiance of the sky alone in a unit direction; below the horizon as at the horizon.
+fn sky_radiance(direction: vec3f) -> vec3f {
+    let cos_theta = max(direction.y, frame.horizon_sine);
+    let level = unit_or(vec3f(direction.x, 0.0, direction.z), vec3f(1.0, 0.0, 0.0));
+    let lifted = level * sqrt(max(1.0 - cos_theta * cos_theta, 0.0)) + vec3f(0.0, cos_theta, 0.0);
+    let cos_gamma = clamp(dot(lifted, frame.glow_direction), -1.0, 1.0);
+    let i_term = frame.dome_parameters[7].rgb * sqrt(cos_theta);
+    return frame.dome_scale * (around_zenith(cos_theta) * (around_sun(cos_gamma) + i_term));
+}
+
+// Radiance of sky and sun in a unit direction. The cosine to the sun is 1 − |d − s|²/2: the plain dot product of
+// nearly equal vectors has no bits left for a disc half a degree wide.
+fn dome_radiance(direction: vec3f) -> vec3f {
+    let apart = direction - frame.dome_sun_direction;
+    let cos_sun = 1.0 - 0.5 * dot(apart, apart);
+    let disc = smoothstep(frame.sun_disc_cosine_from, frame.sun_disc_cosine_to, cos_sun);
+    return sky_radiance(direction) + frame.sun_disc * disc;
+}
+
+// Radiance at the horizon below or above `direction` (any length): what haze turns things to.
+fn horizon_radiance(direction: vec3f) -> vec3f {
+    return sky_radiance(unit_or(vec3f(direction.x, 0.0, direction.z), vec3f(1.0, 0.0, 0.0)));
+}
+
+// 1 − e^(−distance / length).
+fn haze_share(distance_m: f32) -> f32 {
+    return 1.0 - exp(-distance_m / frame.haze_length_m);
+}

@@ -1,0 +1,44 @@
+// What every pass knows of the frame. The twin of FrameUniform in frame_uniform.rs: same names, same order; a test
+// compares the two.
+struct Frame {
+    right_in_world: vec3f,
+    // Length of a pixel's side on a plane at distance 1.
+    pixel: f32,
+    up_in_world: vec3f,
+    width_px: f32,
+    forward_in_world: vec3f,
+    height_px: f32,
+    sun_direction: vec3f,
+    haze_length_m: f32,
+    ambient_max: vec4f,
+    directional_max: vec3f,
+    exposure: f32,
+    // A to I of Hosek and Wilkie's model, each for red, green and blue.
+    dome_parameters: array<vec4f, 9>,
+    dome_scale: vec3f,
+    near_m: f32,
+    sun_disc: vec3f,
+    // 0 where there is no ground below the eye.
+    ground_eye_height_m: f32,
+    dome_sun_direction: vec3f,
+    ground_period_m: f32,
+    glow_direction: vec3f,
+    horizon_sine: f32,
+    ground_dark: vec3f,
+    sun_disc_cosine_from: f32,
+    ground_bright: vec3f,
+    sun_disc_cosine_to: f32,
+    ground_eye_in_pattern_m: vec2f,
+    // Sines of the elevation between which a sprite's upright turns from the world's up to the camera's.
+    pole_sines: vec2f,
+    ground_cells_m: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> frame: Frame;
+
+// The ray through a pixel coordinate, of length 1 along the view direction.
+fn ray_through(position_px: vec2f) -> vec3f {
+    return frame.forward_in_world
+        + frame.right_in_world * ((position_px.x - 0.5 * frame.width_px) * frame.pixel)
+        + frame.up_in_world * ((0.5 * frame.height_px - position_px.y) * frame.pixel);
+}

@@ -1,0 +1,35 @@
+//! Shaders, joined from snippets: WGSL has no include, so each is the text of what it needs and then its pass's own.
+//!
+//! No two snippets of one shader define the same name. A new pass adds a function here and a row to [`all`].
+
+const FRAME: &str = include_str!("frame.wgsl");
+const MATH: &str = include_str!("math.wgsl");
+const DOME: &str = include_str!("dome.wgsl");
+const FULL_SCREEN: &str = include_str!("full_screen.wgsl");
+
+/// Sky, sun, ground and haze.
+pub fn sky() -> String {
+    [FRAME, MATH, DOME, FULL_SCREEN, include_str!("../pass/sky/sky.wgsl")].join("\n")
+}
+
+/// The sprites.
+pub fn sprites() -> String {
+    [FRAME, MATH, DOME, include_str!("../pass/sprites/sprites.wgsl")].join("\n")
+}
+
+/// Linear light to a display.
+pub fn tone_map() -> String {
+    [FRAME, FULL_SCREEN, include_str!("../pass/tone_map/tone_map.wgsl")].join("\n")
+}
+
+/// Every shader there is, by the name of its pass; for tests that need no GPU.
+pub fn all() -> Vec<(&'static str, String)> {
+    vec![("sky", sky()), ("sprites", sprites()), ("tone_map", tone_map())]
+}
+
+pub(crate) fn module(device: &wgpu::Device, label: &str, source: String) -> wgpu::ShaderModule {
+    device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(label),
+        source: wgpu::ShaderSource::Wgsl(source.into()),
+    })
+}

@@ -1,0 +1,171 @@
+//! The GPU renderer draws what the plain CPU renderer draws, on every backend that this machine has, within what 16-bit
+//! floats and 8-bit filters lose (tolerance.rs); and what it cannot do, it says.
+//!
+//! A backend that is not there shows as ignored, or as failed with CLOUDWRIGHT_REQUIRE_GPU=1.
+
+use cloudwright_core::color::Rgb;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::raster::plain;
+use cloudwright_render::{AdapterChoice, Gpu, RenderError, Renderer};
+use cloudwright_tests::gpu::{Allowance, Backend, Case, cases, required};
+use libtest_mimic::{Arguments, Completion, Failed, Trial};
+use std::process::ExitCode;
+use std::sync::{Arc, PoisonError};
+
+/// Largest difference of the clouds in any case, linear: four times what hardware's finer filters would give, measured
+/// at 0.012 on llvmpipe, whose filter rounds every sum to 8 bits.
+const CLOUDS_LARGEST: f32 = 0.02;
+/// Mean difference over a layer: two roundings of a 16-bit float at 1.
+const CLOUDS_MEAN: f32 = 1.0 / 512.0;
+/// Relative difference of the background in linear light: one truncation to 16 bits, and as much again for `exp`.
+const BACKGROUND: f32 = 1.0 / 512.0;
+/// Steps of 255 in the picture: 0.012 of light is two at sRGB's slope for a mid grey, and dither may add one.
+const PICTURE_LARGEST: u8 = 3;
+/// Share of pixels that may differ by more than the one step that dither makes of any difference.
+const PICTURE_MORE_THAN_ONE: f64 = 0.002;
+
+type Outcome = Result<(), Failed>;
+type Check = fn(&Gpu, &mut Renderer, &Case) -> Outcome;
+
+fn main() -> ExitCode {
+    let mut arguments = Arguments::from_args();
+    // A software rasterizer uses all cores for one picture.
+    arguments.test_threads = Some(1);
+    let backends = Backend::all();
+    let mut trials = Vec::new();
+    for backend in &backends {
+        for case in cases() {
+            for (name, check) in [("clouds", clouds as Check), ("background", background), ("picture", picture)] {
+                let case = case.clone();
+                let name = format!("{}::{name}::{}", backend.name, case.name);
+                trials.push(trial(backend, name, move |gpu, renderer| check(gpu, renderer, &case)));
+            }
+        }
+        for (name, check) in [
+            ("a_scene_far_away_is_as_sharp", far_away as fn(&Gpu, &mut Renderer) -> Outcome),
+            ("a_picture_too_large_is_an_error", too_large),
+            ("the_sprites_pass_can_be_timed", timed),
+        ] {
+            trials.push(trial(backend, format!("{}::{name}", backend.name), check));
+        }
+        let choice = backend.choice.clone();
+        trials.push(trial(backend, format!("{}::a_lost_device_is_an_error", backend.name), move |_, _| lost(&choice)));
+    }
+    libtest_mimic::run(&arguments, trials).exit_code()
+}
+
+fn trial(backend: &Backend, name: String, check: impl Fn(&Gpu, &mut Renderer) -> Outcome + Send + 'static) -> Trial {
+    let opened = backend.opened.as_ref().map(Arc::clone).map_err(Clone::clone);
+    Trial::ignorable_test(name, move || match &opened {
+        Ok(opened) => check(&opened.0, &mut opened.1.lock().unwrap_or_else(PoisonError::into_inner))
+            .map(|()| Completion::Completed),
+        Err(reason) if required() => Err(reason.into()),
+        Err(reason) => Ok(Completion::ignored_with(reason)),
+    })
+}
+
+fn clouds(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
+    case.with_frame(|frame| {
+        let worst = Allowance::new(frame).worst(&renderer.clouds(gpu, frame)?);
+        ensure(
+            worst.share <= 1.0 && worst.difference <= CLOUDS_LARGEST && worst.mean <= CLOUDS_MEAN,
+            &format!("clouds are off: {worst:?}"),
+        )
+    })
+}
+
+/// Sky, sun and ground alone, in linear light.
+fn background(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
+    let mut case = case.clone();
+    case.scene.clouds.clear();
+    case.with_frame(|frame| {
+        let (want, got) = (plain::linear_picture(frame), renderer.linear_picture(gpu, frame)?);
+        for (i, (want, got)) in want.pixels.iter().zip(&got.pixels).enumerate() {
+            let disc = if on_the_discs_edge(frame, i) { DISC_EDGE } else { 0.0 };
+            let disc = frame.background.dome.sun_disc * disc;
+            let Rgb { r, g, b } = *want * BACKGROUND + disc + Rgb::grey(1e-6);
+            let close = (want.r - got.r).abs() <= r && (want.g - got.g).abs() <= g && (want.b - got.b).abs() <= b;
+            ensure(close, &format!("pixel {:?}: {got:?} for {want:?}", place(frame, i)))?;
+        }
+        Ok(())
+    })
+}
+
+fn picture(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
+    case.with_frame(|frame| {
+        let (want, got) = (plain::picture(frame), renderer.picture(gpu, frame)?);
+        ensure((want.width, want.height) == (got.width, got.height), "another size")?;
+        let mut more_than_one = 0;
+        for (i, (want, got)) in want.pixels.iter().zip(&got.pixels).enumerate() {
+            let steps = (0..4).map(|c| want[c].abs_diff(got[c])).max().unwrap_or(0);
+            if on_the_discs_edge(frame, i) {
+                continue;
+            }
+            more_than_one += usize::from(steps > 1);
+            ensure(steps <= PICTURE_LARGEST, &format!("pixel {:?}: {got:?} for {want:?}", place(frame, i)))?;
+        }
+        let share = more_than_one as f64 / want.pixels.len() as f64;
+        ensure(share <= PICTURE_MORE_THAN_ONE, &format!("{more_than_one} pixels differ by more than one step"))
+    })
+}
+
+/// Of the disc's light, where it fades out within 82 steps of an f32 cosine: three steps' rounding at its steepest.
+const DISC_EDGE: f32 = 0.06;
+
+fn on_the_discs_edge(frame: &Frame<'_>, i: usize) -> bool {
+    let [x, y] = place(frame, i);
+    let ray = frame.view.ray(x as f32 + 0.5, y as f32 + 0.5).normalize();
+    (0.999_985..0.999_993).contains(&ray.dot(frame.background.dome.sun_direction))
+}
+
+fn place(frame: &Frame<'_>, i: usize) -> [u32; 2] {
+    [i as u32 % frame.view.width, i as u32 / frame.view.width]
+}
+
+/// Not a pixel changes when scene and camera move 1,000 km (whole periods of the ground).
+fn far_away(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+    let mut pictures = Vec::new();
+    for case in cases().iter().filter(|case| ["noon_beside", "moved_1000_km"].contains(&case.name)) {
+        pictures.push(case.with_frame(|frame| renderer.picture(gpu, frame))?);
+    }
+    ensure(pictures.len() == 2 && pictures[0] == pictures[1], "the moved scene looks different")
+}
+
+fn too_large(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+    let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
+    case.with_frame(|frame| {
+        let mut large = frame.clone();
+        large.view.width = gpu.device().limits().max_texture_dimension_2d + 1;
+        match renderer.draw(gpu, &large).map(|_| ()) {
+            Err(error @ RenderError::TooLarge { .. }) => {
+                ensure(error.to_string().contains("max_texture_dimension_2d"), &error.to_string())?;
+            }
+            other => return Err(format!("{other:?}").into()),
+        }
+        // And the renderer still works.
+        renderer.picture(gpu, frame).map(|_| ()).map_err(Failed::from)
+    })
+}
+
+fn timed(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+    let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
+    let time = case.with_frame(|frame| renderer.sprites_pass_time(gpu, frame))?;
+    ensure(!time.duration.is_zero() && time.duration.as_secs() < 60, &format!("{time:?}"))
+}
+
+fn lost(choice: &AdapterChoice) -> Outcome {
+    let gpu = Gpu::headless(choice)?;
+    let mut renderer = Renderer::new(&gpu)?;
+    let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
+    case.with_frame(|frame| {
+        renderer.picture(&gpu, frame)?;
+        gpu.device().destroy();
+        let after = renderer.picture(&gpu, frame).map(|_| ());
+        ensure(after.is_err(), "a lost device drew a picture")?;
+        ensure(matches!(renderer.draw(&gpu, frame), Err(RenderError::DeviceLost(_))), &format!("it was {after:?}"))
+    })
+}
+
+fn ensure(holds: bool, otherwise: &str) -> Outcome {
+    if holds { Ok(()) } else { Err(otherwise.into()) }
+}
