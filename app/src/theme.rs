@@ -103,6 +103,11 @@ pub(crate) fn side(ui: &Ui) -> Frame {
     Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(10, 8))
 }
 
+/// Windows that come up over the editor.
+pub(crate) fn dialog(context: &Context) -> Frame {
+    Frame::popup(&context.global_style()).inner_margin(Margin::same(16))
+}
+
 /// What is wrong.
 pub(crate) fn error(ui: &Ui) -> Color32 {
     ui.visuals().error_fg_color

@@ -101,12 +101,11 @@ impl<Request, Answer> Drop for Latest<Request, Answer> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::sync::mpsc;
 
     #[test]
     fn the_latest_request_wins() {
-        let (gate, opened) = mpsc::channel::<()>();
-        let (tell, woken) = mpsc::channel::<()>();
+        let (gate, opened) = channel::<()>();
+        let (tell, woken) = channel::<()>();
         let worker = Latest::start(
             "test",
             move |request: u32| {

@@ -1,6 +1,7 @@
 //! What may stand on the command line, and how single values are read.
 
 use super::{check, export, info, render};
+use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
 
@@ -23,6 +24,9 @@ pub(super) struct Arguments {
     /// Scene to open in the editor; a new one if there is none
     #[arg(value_name = "SCENE")]
     pub(super) scene: Option<PathBuf>,
+    /// What draws the editor's viewport
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) renderer: RendererChoice,
     #[command(subcommand)]
     pub(super) command: Option<Subcommand>,
 }

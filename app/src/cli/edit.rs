@@ -2,15 +2,16 @@
 
 use super::failure::Failure;
 use crate::editor;
+use crate::renderer::RendererChoice;
 use std::path::Path;
 
 const HINT: &str = "without a display, `cloudwright render SCENE -o PNG` draws a scene";
 
-pub(super) fn run(scene: Option<&Path>) -> Result<(), Failure> {
+pub(super) fn run(scene: Option<&Path>, renderer: RendererChoice) -> Result<(), Failure> {
     if !has_display() {
         return Err(Failure::could_not("there is no display to open the editor on", HINT));
     }
-    editor::open_window(scene).map_err(|error| {
+    editor::open_window(scene, renderer).map_err(|error| {
         let reason = match error {
             // Its own words name a line in its source.
             eframe::Error::Winit(_) | eframe::Error::WinitEventLoop(_) => "the display can't be reached".into(),

@@ -33,7 +33,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         }
     };
     let done = match &arguments.command {
-        None => edit::run(arguments.scene.as_deref()),
+        None => edit::run(arguments.scene.as_deref(), arguments.renderer),
         Some(Subcommand::Render(arguments)) => render::run(arguments),
         Some(Subcommand::Check(arguments)) => check::run(arguments),
         Some(Subcommand::Info(arguments)) => info::run(arguments),

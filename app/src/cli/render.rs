@@ -73,7 +73,15 @@ fn fast<'a>(arguments: &Arguments, frame: impl Fn([u32; 2]) -> Frame<'a>) -> Res
     let mut renderer = Renderer::new(arguments.renderer)?;
     say(&format!("renderer: {}", renderer.name()));
     let _progress = Progress::start("rendering");
-    Ok(renderer.picture(&frame(arguments.size.map(|length| length * side)), side)?)
+    let frame = frame(arguments.size.map(|length| length * side));
+    match renderer.picture(&frame, side) {
+        // The user left the choice to us, and the CPU can draw anything.
+        Err(error) if arguments.renderer == RendererChoice::Auto => {
+            say(&format!("renderer: CPU, because {error}"));
+            Ok(Renderer::Cpu.picture(&frame, side)?)
+        }
+        done => Ok(done?),
+    }
 }
 
 fn truth<'a>(arguments: &Arguments, frame: impl Fn([u32; 2]) -> Frame<'a>) -> Result<Picture, Failure> {

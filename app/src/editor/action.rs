@@ -15,7 +15,7 @@ pub(crate) enum Action {
         /// What the history calls it.
         name: &'static str,
         /// The new value.
-        edit: Edit,
+        edit: Box<Edit>,
         /// Whether the button is still down.
         live: bool,
     },

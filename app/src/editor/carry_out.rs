@@ -23,7 +23,7 @@ impl Editor {
                     }
                 }
                 Action::SetFromView(id) => self.set_from_view(id),
-                Action::Change { name, edit, live } => self.change(name, edit, live),
+                Action::Change { name, edit, live } => self.change(name, *edit, live),
             }
         }
     }

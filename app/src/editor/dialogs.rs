@@ -57,7 +57,7 @@ impl Dialogs {
 
 impl Editor {
     pub(super) fn show_dialogs(&mut self, context: &egui::Context) {
-        if let Some(intent) = self.dialogs.unsaved.clone() {
+        if let Some(intent) = self.dialogs.unsaved {
             match ask_unsaved(context, &self.display_name()) {
                 Some(Choice::Save) => {
                     self.dialogs.unsaved = None;
@@ -92,7 +92,7 @@ impl Editor {
 }
 
 fn ask_unsaved(context: &egui::Context, name: &str) -> Option<Choice> {
-    let modal = Modal::new(Id::unique("unsaved")).show(context, |ui| {
+    let modal = Modal::new(Id::unique("unsaved")).frame(theme::dialog(context)).show(context, |ui| {
         ui.set_width(theme::DIALOG_WIDTH);
         ui.heading("Save the changes?");
         ui.add_space(theme::GAP);
@@ -114,13 +114,17 @@ fn ask_path(context: &egui::Context, ask: &Ask, text: &mut String) -> Option<Opt
         Ask::Open => ("Open scene", "Open"),
         Ask::Save(_) => ("Save scene as", "Save"),
     };
-    let modal = Modal::new(Id::unique("path")).show(context, |ui| {
+    let modal = Modal::new(Id::unique("path")).frame(theme::dialog(context)).show(context, |ui| {
         ui.set_width(theme::DIALOG_WIDTH);
         ui.heading(title);
         ui.add_space(theme::GAP);
         ui.label("This desktop shows no file dialog (it has no portal and no zenity).");
         let label = ui.label("Path of the file");
         let field = ui.add(TextEdit::singleline(text).desired_width(f32::INFINITY)).labelled_by(label.id);
+        // Typing can begin at once.
+        if ui.memory(|memory| memory.focused().is_none()) {
+            field.request_focus();
+        }
         let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         let path = (!text.trim().is_empty()).then(|| PathBuf::from(text.trim()));
         let done = buttons(ui, |ui| {
@@ -136,7 +140,7 @@ fn ask_path(context: &egui::Context, ask: &Ask, text: &mut String) -> Option<Opt
 
 /// Whether it was closed.
 fn show_trouble(context: &egui::Context, trouble: &Trouble) -> bool {
-    let modal = Modal::new(Id::unique("trouble")).show(context, |ui| {
+    let modal = Modal::new(Id::unique("trouble")).frame(theme::dialog(context)).show(context, |ui| {
         ui.set_width(theme::WIDE_DIALOG_WIDTH);
         ui.heading(&trouble.title);
         ui.add_space(theme::GAP);

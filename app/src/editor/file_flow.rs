@@ -7,12 +7,11 @@ use super::files::{self, Ask, Reply, Waiting};
 use super::{Editor, Selection, Session, starter};
 use crate::opening::{self, OpenError};
 use crate::storage;
-use crate::viewport::Viewport;
 use cloudwright_core::formats::scene_file;
 use std::path::{Path, PathBuf};
 
 /// Something that leaves the present document.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Intent {
     New,
     Open,
@@ -40,7 +39,10 @@ impl Editor {
     /// Carries `intent` out, whatever is lost.
     pub(super) fn go(&mut self, intent: Intent, context: &egui::Context) {
         match intent {
-            Intent::New => self.replace(Session::new(starter::scene(), None, None), context),
+            Intent::New => {
+                self.replace(Session::new(starter::scene(), None, None));
+                self.notice = None;
+            }
             Intent::Open => self.ask(Ask::Open, context),
             Intent::Quit => {
                 self.quitting = true;
@@ -61,17 +63,14 @@ impl Editor {
         if let Some(problem) = session.load_atlas() {
             self.dialogs.list(path, vec![problem]);
         }
-        self.viewport.see(&session);
-        self.session = session;
-        self.selection = Selection::Nothing;
+        self.replace(session);
         self.tell(format!("Opened {}", path.display()));
     }
 
-    fn replace(&mut self, session: Session, context: &egui::Context) {
-        self.viewport = Viewport::new(context, &session);
+    fn replace(&mut self, session: Session) {
+        self.viewport.see(&session);
         self.session = session;
         self.selection = Selection::Nothing;
-        self.notice = None;
     }
 
     pub(super) fn save(&mut self, context: &egui::Context) {

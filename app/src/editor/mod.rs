@@ -23,12 +23,14 @@ pub use window::open_window;
 
 use crate::command;
 use crate::panel;
+use crate::renderer::RendererChoice;
 use crate::theme;
 use crate::viewport::Viewport;
 use dialogs::Dialogs;
+use eframe::egui_wgpu::RenderState;
 use file_flow::Intent;
 use files::Waiting;
-use std::path::Path;
+use std::path::PathBuf;
 
 /// The editor: an open document, how it is looked at, and what is being asked.
 pub struct Editor {
@@ -53,13 +55,26 @@ pub(crate) struct Notice {
     pub(crate) is_error: bool,
 }
 
+/// What an editor starts with.
+pub struct Start {
+    /// A scene to open; a new one if there is none. Problems of the file are shown in the window.
+    pub scene: Option<PathBuf>,
+    /// What draws the viewport.
+    pub renderer: RendererChoice,
+    /// The window's device.
+    pub device: Option<RenderState>,
+    /// How file names are asked for.
+    pub file_dialogs: Box<dyn FileDialogs>,
+}
+
 impl Editor {
-    /// An editor on the scene at `path`, or on a new one. Problems of the file are shown in the window.
-    pub fn new(context: &egui::Context, path: Option<&Path>, file_dialogs: Box<dyn FileDialogs>) -> Self {
+    /// An editor for a window.
+    pub fn new(context: &egui::Context, start: Start) -> Self {
+        let Start { scene: path, renderer, device, file_dialogs } = start;
         theme::install(context);
         let session = Session::new(starter::scene(), None, None);
         let mut editor = Self {
-            viewport: Viewport::new(context, &session),
+            viewport: Viewport::new(context, &session, renderer, device),
             session,
             selection: Selection::Nothing,
             file_dialogs,
@@ -72,7 +87,7 @@ impl Editor {
             title: String::new(),
         };
         if let Some(path) = path {
-            editor.open_path(path);
+            editor.open_path(&path);
         }
         editor
     }

@@ -8,6 +8,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Change, Document, Edit, EditError};
 use cloudwright_core::problem::{self, Problem, Severity};
 use cloudwright_core::scene::Scene;
+use cloudwright_core::version::Version;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -22,7 +23,7 @@ pub struct Session {
     shown: Arc<Scene>,
     /// Changed, but not derived yet; or might have to be derived back.
     touched: Change,
-    revision: u64,
+    revision: Version,
 }
 
 impl Session {
@@ -35,7 +36,7 @@ impl Session {
             path,
             atlas,
             touched: Change::default(),
-            revision: 0,
+            revision: Version::fresh(),
         }
     }
 
@@ -59,8 +60,8 @@ impl Session {
         self.path.as_deref()
     }
 
-    /// Rises with each change that may show.
-    pub(crate) fn revision(&self) -> u64 {
+    /// Another one after each change that may show.
+    pub(crate) fn revision(&self) -> Version {
         self.revision
     }
 
@@ -128,7 +129,7 @@ impl Session {
     /// Reads the atlas that the scene names; the built-in one stands in for one with a problem.
     pub(crate) fn load_atlas(&mut self) -> Option<Problem> {
         let found = opening::atlas_of(self.scene(), self.path());
-        self.revision += 1;
+        self.revision = Version::fresh();
         match found {
             Ok(atlas) => {
                 self.atlas = atlas;
@@ -151,6 +152,6 @@ impl Session {
         }
         Arc::make_mut(&mut self.derived).update(self.document.scene(), &self.touched);
         self.shown = Arc::new(self.document.scene().clone());
-        self.revision += 1;
+        self.revision = Version::fresh();
     }
 }

@@ -1,6 +1,8 @@
 //! The native window and its graphics device.
 
-use super::{Editor, NativeDialogs};
+use super::{Editor, NativeDialogs, Start};
+use crate::renderer::RendererChoice;
+use cloudwright_render::Gpu;
 use eframe::egui_wgpu::{WgpuSetup, WgpuSetupCreateNew};
 use eframe::wgpu;
 use std::path::{Path, PathBuf};
@@ -10,7 +12,7 @@ use std::sync::Arc;
 ///
 /// # Errors
 /// If there is no display, or no adapter that can draw in a window.
-pub fn open_window(scene: Option<&Path>) -> Result<(), eframe::Error> {
+pub fn open_window(scene: Option<&Path>, renderer: RendererChoice) -> Result<(), eframe::Error> {
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("Cloudwright")
@@ -29,22 +31,18 @@ pub fn open_window(scene: Option<&Path>) -> Result<(), eframe::Error> {
         "Cloudwright",
         options,
         Box::new(move |creation| {
-            Ok(Box::new(Editor::new(&creation.egui_ctx, scene.as_deref(), Box::new(NativeDialogs))))
+            let device = creation.wgpu_render_state.clone();
+            let start = Start { scene, renderer, device, file_dialogs: Box::new(NativeDialogs) };
+            Ok(Box::new(Editor::new(&creation.egui_ctx, start)))
         }),
     )
 }
 
-/// What the clouds' renderer needs, as far as the adapter has it: eframe's own choice has no compute on GL.
+/// What the clouds' renderer needs: eframe's own choice asks for no timestamps.
 fn device_setup() -> WgpuSetupCreateNew {
     WgpuSetupCreateNew {
         power_preference: wgpu::PowerPreference::HighPerformance,
-        device_descriptor: Arc::new(|adapter| wgpu::DeviceDescriptor {
-            label: Some("cloudwright window"),
-            required_features: adapter.features()
-                & (wgpu::Features::TIMESTAMP_QUERY | wgpu::Features::FLOAT32_FILTERABLE),
-            required_limits: wgpu::Limits::default().or_worse_values_from(&adapter.limits()),
-            ..Default::default()
-        }),
+        device_descriptor: Arc::new(Gpu::device_descriptor),
         ..WgpuSetupCreateNew::without_display_handle()
     }
 }

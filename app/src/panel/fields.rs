@@ -33,7 +33,7 @@ pub(super) fn fields(
     });
     if let Some(edit) = grid.inner {
         let live = ui.input(|input| input.pointer.any_down());
-        actions.push(Action::Change { name, edit, live });
+        actions.push(Action::Change { name, edit: Box::new(edit), live });
     }
 }
 

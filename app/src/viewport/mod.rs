@@ -9,9 +9,11 @@ mod picture;
 mod wireframe;
 
 use crate::editor::{Action, Selection, Session};
+use crate::renderer::RendererChoice;
 use crate::theme;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::Camera;
+use eframe::egui_wgpu::RenderState;
 use egui::{Align2, Color32, FontId, Key, Modifiers, PointerButton, Rect, Response, Sense, Ui, pos2, vec2};
 use glam::{DVec3, Vec3};
 use navigation::Navigation;
@@ -27,10 +29,16 @@ pub(crate) struct Viewport {
 }
 
 impl Viewport {
-    pub(crate) fn new(context: &egui::Context, session: &Session) -> Self {
+    /// Draws with `device`, the window's own, if the choice and the device allow it.
+    pub(crate) fn new(
+        context: &egui::Context,
+        session: &Session,
+        choice: RendererChoice,
+        device: Option<RenderState>,
+    ) -> Self {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
-            picture: PictureSource::new(context),
+            picture: PictureSource::new(context, choice, device),
             show_all_boxes: false,
         };
         viewport.see(session);

@@ -3,9 +3,12 @@
 //! Each case is a row: arguments, and what must come of them. [`cloudwright`] runs the binary in a folder of its own;
 //! [`Case`] holds exit code, words on stdout and stderr, and what files may be left.
 
+#![allow(clippy::panic, reason = "a failing test says what it found")]
+
 mod answers;
 mod arguments;
 mod bad_scenes;
+mod gpu;
 mod pictures;
 mod scenes;
 

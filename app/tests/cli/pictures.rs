@@ -22,7 +22,8 @@ fn decode(bytes: &[u8]) -> Png {
 fn draw(place: &Place, words: &str) -> Png {
     let ran = place.run(&format!("render good.cloudscene -o out.png --size 64x36 {words}"));
     assert_eq!((ran.code, ran.stdout.as_str()), (0, ""), "{words}: {}", ran.stderr);
-    assert!(ran.stderr.starts_with("renderer: "), "{words}: {}", ran.stderr);
+    // Graphics drivers may have said something before.
+    assert!(ran.stderr.contains("renderer: "), "{words}: {}", ran.stderr);
     decode(&place.read("out.png"))
 }
 

@@ -2,11 +2,14 @@
 //!
 //! Widgets are found as a screen reader finds them; what comes of a click is read from the document.
 
+#![allow(clippy::panic, reason = "a failing test says what it found")]
+
 mod editing;
 mod files;
 mod viewing;
 
-use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session};
+use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session, Start};
+use cloudwright::renderer::RendererChoice;
 use cloudwright_core::scene::Scene;
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2};
@@ -33,6 +36,10 @@ impl FileDialogs for Script {
     }
 }
 
+fn start(dialogs: Script) -> Start {
+    Start { scene: None, renderer: RendererChoice::Cpu, device: None, file_dialogs: Box::new(dialogs) }
+}
+
 /// An editor under test.
 struct Window {
     harness: Harness<'static, Editor>,
@@ -45,7 +52,7 @@ impl Window {
         let dialogs = script.clone();
         let harness = Harness::builder()
             .with_size([1280.0, 1200.0])
-            .build_eframe(move |creation| Editor::new(&creation.egui_ctx, None, Box::new(dialogs)));
+            .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start(dialogs)));
         Self { harness, script }
     }
 
