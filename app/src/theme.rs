@@ -72,6 +72,7 @@ fn spacing(style: &mut Style) {
 }
 
 fn dark(visuals: &mut Visuals) {
+    visuals.error_fg_color = Color32::from_rgb(255, 128, 116);
     visuals.panel_fill = Color32::from_rgb(32, 35, 40);
     visuals.window_fill = Color32::from_rgb(38, 42, 48);
     visuals.extreme_bg_color = Color32::from_rgb(22, 24, 28);
@@ -85,6 +86,7 @@ fn dark(visuals: &mut Visuals) {
 }
 
 fn light(visuals: &mut Visuals) {
+    visuals.error_fg_color = Color32::from_rgb(178, 34, 34);
     visuals.panel_fill = Color32::from_rgb(244, 245, 247);
     visuals.window_fill = Color32::from_rgb(250, 250, 251);
     visuals.selection.bg_fill = ACCENT_LIGHT;

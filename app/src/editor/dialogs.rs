@@ -121,11 +121,11 @@ fn ask_path(context: &egui::Context, ask: &Ask, text: &mut String) -> Option<Opt
         ui.label("This desktop shows no file dialog (it has no portal and no zenity).");
         let label = ui.label("Path of the file");
         let field = ui.add(TextEdit::singleline(text).desired_width(f32::INFINITY)).labelled_by(label.id);
+        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         // Typing can begin at once.
         if ui.memory(|memory| memory.focused().is_none()) {
             field.request_focus();
         }
-        let entered = field.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
         let path = (!text.trim().is_empty()).then(|| PathBuf::from(text.trim()));
         let done = buttons(ui, |ui| {
             let go = ui.add_enabled(path.is_some(), egui::Button::new(verb)).clicked();

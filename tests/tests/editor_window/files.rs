@@ -111,7 +111,7 @@ fn where_no_dialog_can_be_shown_a_path_can_be_typed() {
     let field = window.harness.get_by_role_and_label(Role::TextInput, "Path of the file");
     field.type_text(&path.display().to_string());
     window.settle();
-    window.node_in_dialog_save();
+    window.keys(Modifiers::NONE, Key::Enter);
     assert_eq!(&opening::open_scene(&path).expect("a sound scene"), window.scene());
 }
 
