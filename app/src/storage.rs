@@ -181,4 +181,24 @@ mod tests {
         fs::set_permissions(&path, fs::Permissions::from_mode(0o440)).expect("allowed");
         assert!(write_atomic(&path, b"three").is_err(), "write-protected");
     }
+
+    #[test]
+    fn no_other_file_of_this_package_touches_files() {
+        let mut folders = vec![Path::new(env!("CARGO_MANIFEST_DIR")).join("src")];
+        let mut seen = 0;
+        while let Some(folder) = folders.pop() {
+            for entry in fs::read_dir(folder).expect("readable") {
+                let path = entry.expect("readable").path();
+                if path.is_dir() {
+                    folders.push(path);
+                    continue;
+                }
+                let text = fs::read_to_string(&path).expect("text");
+                let touches = ["std::fs", "File::", "OpenOptions"].iter().any(|word| text.contains(word));
+                assert!(!touches || path.ends_with("storage.rs"), "{}", path.display());
+                seen += 1;
+            }
+        }
+        assert!(seen > 20, "the sources are where they are looked for");
+    }
 }

@@ -90,6 +90,7 @@ fn light(visuals: &mut Visuals) {
     visuals.panel_fill = Color32::from_rgb(244, 245, 247);
     visuals.window_fill = Color32::from_rgb(250, 250, 251);
     visuals.selection.bg_fill = ACCENT_LIGHT;
+    visuals.selection.stroke.color = Color32::from_rgb(10, 48, 92);
     visuals.widgets.noninteractive.bg_stroke.color = Color32::from_rgb(214, 217, 222);
     visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(228, 231, 236);
     visuals.widgets.inactive.bg_fill = Color32::from_rgb(214, 218, 225);

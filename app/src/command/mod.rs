@@ -165,7 +165,7 @@ impl Row {
 
 /// The commands whose keys were pressed. Keys with more modifiers are looked at first, so that undo does not take redo's.
 pub fn pressed(context: &egui::Context) -> Vec<Command> {
-    let typing = context.egui_wants_keyboard_input();
+    let typing = context.text_edit_focused();
     let mut rows: Vec<&Row> = TABLE.iter().filter(|row| row.shortcut.is_some()).collect();
     rows.sort_by_key(|row| row.shortcut.is_some_and(|shortcut| !shortcut.modifiers.shift));
     context.input_mut(|input| {

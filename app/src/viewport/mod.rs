@@ -14,7 +14,9 @@ use crate::theme;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::Camera;
 use eframe::egui_wgpu::RenderState;
-use egui::{Align2, Color32, FontId, Key, Modifiers, PointerButton, Rect, Response, Sense, Ui, pos2, vec2};
+use egui::{
+    Align2, Color32, EventFilter, FontId, Key, Modifiers, PointerButton, Rect, Response, Sense, Ui, pos2, vec2,
+};
 use glam::{DVec3, Vec3};
 use navigation::Navigation;
 use picture::PictureSource;
@@ -140,8 +142,13 @@ impl Viewport {
                 self.navigation.zoom(turned, ray * depth);
             }
         }
+        if response.clicked() || response.drag_started() {
+            response.request_focus();
+        }
         // The keyboard's way, for who has no wheel.
         if response.has_focus() {
+            let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
+            ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
             let step = |plus: Key, minus: Key| {
                 ui.input_mut(|input| {
                     f32::from(input.consume_key(Modifiers::NONE, plus))

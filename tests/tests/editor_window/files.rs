@@ -4,7 +4,7 @@ use crate::Window;
 use cloudwright::editor::{Ask, Reply};
 use cloudwright::opening;
 use egui::accesskit::Role;
-use egui::{Key, Modifiers};
+use egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable;
 
 #[test]
@@ -125,4 +125,28 @@ fn a_scene_that_cannot_be_saved_stays_unsaved() {
     window.press("Save");
     assert!(window.shows("make the folder first"));
     assert!(window.session().document().is_modified() && window.session().path().is_none());
+}
+
+#[test]
+fn closing_the_window_asks_first() {
+    let mut window = Window::open();
+    window.settle();
+    let close = |window: &mut Window| {
+        let root = window.harness.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+        root.events.push(ViewportEvent::Close);
+        window.harness.step();
+        let out = &window.harness.output().viewport_output[&ViewportId::ROOT];
+        out.commands.contains(&ViewportCommand::CancelClose)
+    };
+    assert!(!close(&mut window), "nothing to lose");
+    window.press("Add camera");
+    assert!(close(&mut window));
+    window.settle();
+    assert!(window.shows("Save the changes?"));
+    window.press("Cancel");
+    assert!(!window.shows("Save the changes?"));
+    assert!(close(&mut window), "asked again");
+    window.settle();
+    window.press("Don't save");
+    assert!(!close(&mut window), "answered");
 }

@@ -64,3 +64,24 @@ fn looking_through_a_camera_and_back() {
     window.press("Set from view");
     assert_eq!(window.undo_name(), None, "the view is where the camera was");
 }
+
+#[test]
+fn keys_work_on_the_viewport_and_leave_text_alone() {
+    let mut window = Window::open();
+    window.settle();
+    let middle = window.harness.get_by_label("Viewport").rect().center();
+    window.pointer(middle, Some(true));
+    window.pointer(middle, Some(false));
+    window.settle();
+    window.keys(Modifiers::NONE, Key::ArrowRight);
+    window.press("Add camera");
+    let cameras = &window.scene().cameras;
+    assert!(cameras[1].heading_deg > cameras[0].heading_deg, "an arrow key turns the view");
+    // Delete in a text field takes a letter, not the camera.
+    let field = window.harness.get_by_role_and_label(Role::TextInput, "Name");
+    field.focus();
+    window.settle();
+    window.keys(Modifiers::NONE, Key::Delete);
+    window.keys(Modifiers::NONE, Key::B);
+    assert_eq!(window.scene().cameras.len(), 2);
+}
