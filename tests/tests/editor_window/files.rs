@@ -41,7 +41,7 @@ fn a_broken_file_leaves_the_document_alone() {
     let mut window = Window::open();
     window.settle();
     let scene = window.scene().clone();
-    for (path, words) in [(path.clone(), "error at line 1"), (folder.path().join("none.cloudscene"), "no such file")] {
+    for (path, words) in [(path, "error at line 1"), (folder.path().join("none.cloudscene"), "no such file")] {
         window.answer(Reply::Path(path));
         window.press("Open");
         assert!(window.shows(words), "the problem is listed: {words}");
