@@ -54,21 +54,23 @@ fn a_drag_is_one_step() {
 
 #[test]
 fn escape_takes_a_drag_back() {
-    let mut window = with_box();
-    let scene = window.scene().clone();
-    let field = window.node(Role::SpinButton, "Sprites").rect().center();
-    window.pointer(field, Some(true));
-    window.pointer(field + vec2(60.0, 0.0), None);
-    window.pointer(field + vec2(90.0, 0.0), None);
-    assert_ne!(window.scene(), &scene);
-    window.harness.key_press(Key::Escape);
-    window.harness.step();
-    window.pointer(field + vec2(150.0, 0.0), None);
-    window.pointer(field + vec2(180.0, 0.0), None);
-    assert_eq!(window.scene(), &scene, "the rest of the drag is ignored");
-    window.pointer(field + vec2(180.0, 0.0), Some(false));
-    window.settle();
-    assert_eq!((window.scene(), window.undo_name()), (&scene, None));
+    for (role, label) in [(Role::SpinButton, "Sprites"), (Role::Slider, "Time of day")] {
+        let mut window = with_box();
+        let scene = window.scene().clone();
+        let field = window.node(role, label).rect().center();
+        window.pointer(field, Some(true));
+        window.pointer(field + vec2(30.0, 0.0), None);
+        window.pointer(field + vec2(40.0, 0.0), None);
+        assert_ne!(window.scene(), &scene, "{label}");
+        window.harness.key_press(Key::Escape);
+        window.harness.step();
+        window.pointer(field + vec2(50.0, 0.0), None);
+        window.pointer(field + vec2(60.0, 0.0), None);
+        assert_eq!(window.scene(), &scene, "{label}: the rest of the drag is ignored");
+        window.pointer(field + vec2(60.0, 0.0), Some(false));
+        window.settle();
+        assert_eq!((window.scene(), window.undo_name()), (&scene, None), "{label}");
+    }
 }
 
 #[test]
