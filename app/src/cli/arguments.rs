@@ -1,0 +1,98 @@
+//! What may stand on the command line, and how single values are read.
+
+use super::{check, export, info, render};
+use crate::renderer::RendererChoice;
+use clap::Parser;
+use std::path::PathBuf;
+
+#[derive(Debug, Parser)]
+#[command(
+    name = "cloudwright",
+    version,
+    about = "An editor for clouds made of sprites, and its command line",
+    args_conflicts_with_subcommands = true,
+    disable_help_subcommand = true,
+    after_help = "Examples:
+  cloudwright                                   open the editor on a new scene
+  cloudwright fair_weather.cloudscene           open the editor on that scene
+  cloudwright render fair_weather.cloudscene -o sky.png
+  cloudwright check *.cloudscene
+
+Exit codes: 0 done, 1 problems found, 2 unusable input, 3 could not do it."
+)]
+pub(super) struct Arguments {
+    /// Scene to open in the editor; a new one if there is none
+    #[arg(value_name = "SCENE")]
+    pub(super) scene: Option<PathBuf>,
+    /// What draws the editor's viewport
+    #[arg(long, value_enum, default_value_t)]
+    pub(super) renderer: RendererChoice,
+    #[command(subcommand)]
+    pub(super) command: Option<Subcommand>,
+}
+
+#[derive(Debug, clap::Subcommand)]
+pub(super) enum Subcommand {
+    /// Draw a scene as a PNG
+    Render(render::Arguments),
+    /// List the problems of scenes
+    Check(check::Arguments),
+    /// Count a scene's models, boxes and sprites
+    Info(info::Arguments),
+    /// Write a scene's sprites for other tools
+    Export(export::Arguments),
+}
+
+/// `HH:MM` as hours.
+pub(crate) fn time_of_day(text: &str) -> Result<f64, String> {
+    let digits = |part: &str| part.len() <= 2 && part.bytes().all(|b| b.is_ascii_digit());
+    let read = |part: &str, below: u32| part.parse().ok().filter(|n: &u32| digits(part) && *n < below);
+    text.split_once(':')
+        .and_then(|(hours, minutes)| Some(f64::from(read(hours, 24)?) + f64::from(read(minutes, 60)?) / 60.0))
+        .ok_or_else(|| "write hours and minutes, 00:00 to 23:59, such as 18:30".into())
+}
+
+/// `WIDTHxHEIGHT` in pixels.
+pub(super) fn picture_size(text: &str) -> Result<[u32; 2], String> {
+    const MAX: u32 = 16_384;
+    let read = |part: &str| part.parse().ok().filter(|n| (1..=MAX).contains(n));
+    text.split_once(['x', '×'])
+        .and_then(|(width, height)| Some([read(width)?, read(height)?]))
+        .ok_or_else(|| format!("write width x height in pixels, 1x1 to {MAX}x{MAX}, such as 1280x720"))
+}
+
+/// Samples a pixel, as the side of their square.
+pub(super) fn samples_side(text: &str) -> Result<u32, String> {
+    let samples: Option<u32> = text.parse().ok();
+    (1..=8)
+        .find(|side| samples == Some(side * side))
+        .ok_or_else(|| "use a square number: 1, 4, 9, 16, 25, 36, 49 or 64".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use clap::CommandFactory;
+
+    #[test]
+    fn the_table_is_sound() {
+        Arguments::command().debug_assert();
+    }
+
+    #[test]
+    fn values() {
+        assert_eq!(time_of_day("18:30"), Ok(18.5));
+        assert_eq!(time_of_day("6:00"), Ok(6.0));
+        for bad in ["24:00", "12:60", "12", "", ":", "-1:00", "+1:00", "012:00", "1:2:3", "noon"] {
+            assert!(time_of_day(bad).is_err(), "{bad}");
+        }
+        assert_eq!(picture_size("1280x720"), Ok([1280, 720]));
+        for bad in ["0x1", "1x0", "16385x1", "1280", "x", "-1x5", "1e3x5", "99999999999x1"] {
+            assert!(picture_size(bad).is_err(), "{bad}");
+        }
+        assert_eq!(samples_side("16"), Ok(4));
+        for bad in ["0", "2", "15", "81", "-4", "four"] {
+            assert!(samples_side(bad).is_err(), "{bad}");
+        }
+    }
+}

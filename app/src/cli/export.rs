@@ -1,0 +1,72 @@
+//! `cloudwright export`: all sprites for other tools, as JSON or as a table.
+
+use super::failure::Failure;
+use super::progress::Progress;
+use super::{arguments, input};
+use crate::{opening, storage};
+use cloudwright_core::camera::View;
+use cloudwright_core::derived::Derived;
+use cloudwright_core::formats::{sprites_csv, sprites_json};
+use cloudwright_core::shading::Light;
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  cloudwright export fair_weather.cloudscene -o sprites.json
+  cloudwright export fair_weather.cloudscene -o sprites.csv
+  cloudwright export fair_weather.cloudscene -o lit.json --shaded --time 18:30 --camera main")]
+pub(super) struct Arguments {
+    /// Scene to export
+    scene: PathBuf,
+    /// File to write; .json or .csv decides the format
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Add each sprite's four corners with their light
+    #[arg(long)]
+    shaded: bool,
+    /// Time of day of the light; the scene's if not given
+    #[arg(long, value_name = "HH:MM", requires = "shaded", value_parser = arguments::time_of_day)]
+    time: Option<f64>,
+    /// Camera that the sprites face; the scene's first if not given
+    #[arg(long, value_name = "NAME", requires = "shaded")]
+    camera: Option<String>,
+}
+
+enum Format {
+    Json,
+    Csv,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let format = format_of(&arguments.output)?;
+    let scene = opening::open_scene(&arguments.scene)?;
+    let shaded = if arguments.shaded {
+        let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
+        // Corners depend on where the eye is and which way is up, not on the picture's size.
+        Some((View::new(camera, 1, 1), Light::at(&scene, arguments.time.unwrap_or(scene.time_of_day_h))))
+    } else {
+        None
+    };
+    storage::check_writable(&arguments.output)?;
+    let _progress = Progress::start("exporting");
+    let derived = Derived::new(&scene);
+    let shaded = shaded.as_ref().map(|(view, light)| (view, light));
+    let text = match format {
+        Format::Json => sprites_json::write(derived.clouds(), shaded)
+            .map_err(|error| Failure::could_not(format!("the sprites can't be written: {error}"), "report this"))?,
+        Format::Csv => sprites_csv::write(derived.clouds(), shaded),
+    };
+    Ok(storage::write_atomic(&arguments.output, text.as_bytes())?)
+}
+
+fn format_of(path: &Path) -> Result<Format, Failure> {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase());
+    match ending.as_deref() {
+        Some("json") => Ok(Format::Json),
+        Some("csv") => Ok(Format::Csv),
+        _ => Err(Failure::argument(
+            format!("--output {}: the ending names no format", path.display()),
+            "end its name in .json or .csv",
+        )),
+    }
+}

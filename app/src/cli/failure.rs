@@ -1,0 +1,52 @@
+//! What ends a subcommand early, and with which exit code.
+
+use crate::opening::OpenError;
+use crate::renderer::RenderError;
+use crate::storage::StorageError;
+
+/// `check` found something.
+pub(super) const PROBLEMS_FOUND: u8 = 1;
+/// A file or an argument can't be used.
+pub(super) const UNUSABLE_INPUT: u8 = 2;
+/// Input is fine, but there is no place to write, no adapter, no display.
+pub(super) const COULD_NOT: u8 = 3;
+
+#[derive(Debug, thiserror::Error)]
+pub(super) enum Failure {
+    #[error(transparent)]
+    Open(#[from] OpenError),
+    #[error(transparent)]
+    Storage(#[from] StorageError),
+    #[error(transparent)]
+    Render(#[from] RenderError),
+    /// An argument that doesn't fit the scene.
+    #[error("{what} ({hint})")]
+    Argument { what: String, hint: String },
+    #[error("{what} ({hint})")]
+    CouldNot { what: String, hint: String },
+    #[error("the answer can't be written: {0} (send it to a file on a disk with space)")]
+    Stdout(std::io::Error),
+    /// All has been said already.
+    #[error("")]
+    Told(u8),
+}
+
+impl Failure {
+    pub(super) fn argument(what: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::Argument { what: what.into(), hint: hint.into() }
+    }
+
+    pub(super) fn could_not(what: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::CouldNot { what: what.into(), hint: hint.into() }
+    }
+
+    pub(super) fn exit_code(&self) -> u8 {
+        match self {
+            Self::Open(_) | Self::Argument { .. } | Self::Storage(StorageError::Read { .. }) => UNUSABLE_INPUT,
+            Self::Storage(StorageError::Write { .. }) | Self::Render(_) | Self::CouldNot { .. } | Self::Stdout(_) => {
+                COULD_NOT
+            }
+            Self::Told(code) => *code,
+        }
+    }
+}

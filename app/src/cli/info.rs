@@ -1,0 +1,147 @@
+//! `cloudwright info`: what a scene holds, counted.
+
+use super::answer;
+use super::failure::Failure;
+use crate::opening::{self, one_line};
+use cloudwright_core::derived::Derived;
+use cloudwright_core::scene::Scene;
+use cloudwright_core::sprites::PlacedCloud;
+use glam::DVec3;
+use serde::Serialize;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  cloudwright info fair_weather.cloudscene
+  cloudwright info --json fair_weather.cloudscene")]
+pub(super) struct Arguments {
+    /// Scene to count
+    scene: PathBuf,
+    /// Answer as JSON; lengths in metres
+    #[arg(long)]
+    json: bool,
+}
+
+#[derive(Serialize)]
+struct Counts {
+    name: String,
+    models: usize,
+    boxes: usize,
+    cameras: Vec<String>,
+    total: Total,
+    clouds: Vec<CloudCounts>,
+}
+
+#[derive(Serialize)]
+struct Total {
+    clouds: usize,
+    sprites_tried: usize,
+    sprites: usize,
+    groups: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bounds: Option<Bounds>,
+}
+
+#[derive(Serialize)]
+struct CloudCounts {
+    id: u64,
+    name: String,
+    model: String,
+    boxes: usize,
+    sprites_tried: usize,
+    sprites: usize,
+    groups: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    bounds: Option<Bounds>,
+}
+
+/// The box along the world's axes that holds the spheres of all kept sprites, metres.
+#[derive(Serialize, Clone, Copy)]
+struct Bounds {
+    low: DVec3,
+    high: DVec3,
+}
+
+impl Bounds {
+    fn of(cloud: &PlacedCloud) -> Option<Self> {
+        let spheres = cloud.sprites.iter().map(|sprite| {
+            let center = cloud.origin + sprite.position.as_dvec3();
+            Self { low: center - f64::from(sprite.radius()), high: center + f64::from(sprite.radius()) }
+        });
+        let whole = spheres.reduce(Self::join)?;
+        let to_centimetres = |p: DVec3| (p * 100.0).round() / 100.0;
+        Some(Self { low: to_centimetres(whole.low), high: to_centimetres(whole.high) })
+    }
+
+    fn join(self, other: Self) -> Self {
+        Self { low: self.low.min(other.low), high: self.high.max(other.high) }
+    }
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let scene = opening::open_scene(&arguments.scene)?;
+    let counts = count(&scene, Derived::new(&scene).clouds());
+    answer(&if arguments.json { json_text(&counts)? } else { as_text(&counts) })
+}
+
+fn count(scene: &Scene, placed: &[PlacedCloud]) -> Counts {
+    let clouds: Vec<CloudCounts> = placed
+        .iter()
+        .map(|cloud| {
+            let model = scene.cloud(cloud.id).and_then(|cloud| scene.model(cloud.model));
+            CloudCounts {
+                id: cloud.id.0,
+                name: cloud.name.clone(),
+                model: model.map(|model| model.name.clone()).unwrap_or_default(),
+                boxes: model.map_or(0, |model| model.boxes.len()),
+                sprites_tried: cloud.candidate_count,
+                sprites: cloud.sprites.len(),
+                groups: cloud.groups.len(),
+                bounds: Bounds::of(cloud),
+            }
+        })
+        .collect();
+    Counts {
+        name: scene.name.clone(),
+        models: scene.models.len(),
+        boxes: scene.models.iter().map(|model| model.boxes.len()).sum(),
+        cameras: scene.cameras.iter().map(|camera| camera.name.clone()).collect(),
+        total: Total {
+            clouds: clouds.len(),
+            sprites_tried: clouds.iter().map(|cloud| cloud.sprites_tried).sum(),
+            sprites: clouds.iter().map(|cloud| cloud.sprites).sum(),
+            groups: clouds.iter().map(|cloud| cloud.groups).sum(),
+            bounds: clouds.iter().filter_map(|cloud| cloud.bounds).reduce(Bounds::join),
+        },
+        clouds,
+    }
+}
+
+fn as_text(counts: &Counts) -> String {
+    let Counts { name, models, boxes, cameras, total, clouds } = counts;
+    let mut out = one_line(&format!("{name}: {models} models, {boxes} boxes, {} clouds", total.clouds));
+    let _ = write!(out, "\ncameras: {}\n\n", one_line(&cameras.join(", ")));
+    let _ = writeln!(out, "{:<24} {:>6} {:>8} {:>8} {:>6}  bounds, m", "cloud", "boxes", "tried", "sprites", "groups");
+    for cloud in clouds {
+        let CloudCounts { name, boxes, sprites_tried, sprites, groups, bounds, .. } = cloud;
+        let name = one_line(name);
+        let bounds = in_words(*bounds);
+        let _ = writeln!(out, "{name:<24} {boxes:>6} {sprites_tried:>8} {sprites:>8} {groups:>6}  {bounds}");
+    }
+    let Total { sprites_tried, sprites, groups, bounds, .. } = total;
+    let bounds = in_words(*bounds);
+    let _ = writeln!(out, "{:<24} {boxes:>6} {sprites_tried:>8} {sprites:>8} {groups:>6}  {bounds}", "total");
+    out
+}
+
+fn in_words(bounds: Option<Bounds>) -> String {
+    let Some(Bounds { low, high }) = bounds else { return "none".into() };
+    let axis = |low: f64, high: f64| format!("{low:.0} to {high:.0}");
+    format!("x {}, y {}, z {}", axis(low.x, high.x), axis(low.y, high.y), axis(low.z, high.z))
+}
+
+/// Any answer as JSON text.
+pub(super) fn json_text(value: &impl Serialize) -> Result<String, Failure> {
+    serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(|error| Failure::Stdout(error.into()))
+}

@@ -1,0 +1,67 @@
+//! A progress bar on stderr for what takes over half a second, if a person is there to see it.
+
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::io::IsTerminal;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
+use std::thread::JoinHandle;
+use std::time::Duration;
+
+const PATIENCE: Duration = Duration::from_millis(500);
+const STEP: Duration = Duration::from_millis(100);
+const PARTS: u32 = 1000;
+
+/// Runs until dropped.
+pub(super) struct Progress {
+    /// Thousandths done; none known as long as it is 0.
+    done: Arc<AtomicU32>,
+    /// Dropping it ends the thread.
+    stop: Option<Sender<()>>,
+    thread: Option<JoinHandle<()>>,
+}
+
+impl Progress {
+    /// Begins a task; `what` stands beside the bar.
+    pub(super) fn start(what: &str) -> Self {
+        let done = Arc::new(AtomicU32::new(0));
+        let mut progress = Self { done: Arc::clone(&done), stop: None, thread: None };
+        if std::io::stderr().is_terminal() {
+            let (stop, stopped) = channel::<()>();
+            let what = what.to_owned();
+            progress.stop = Some(stop);
+            progress.thread = Some(std::thread::spawn(move || {
+                if stopped.recv_timeout(PATIENCE) != Err(RecvTimeoutError::Timeout) {
+                    return;
+                }
+                let bar = bar(&what);
+                while stopped.recv_timeout(STEP) == Err(RecvTimeoutError::Timeout) {
+                    bar.set_position(done.load(Ordering::Relaxed).into());
+                    bar.tick();
+                }
+                bar.finish_and_clear();
+            }));
+        }
+        progress
+    }
+
+    /// Says how far it has come, 0 to 1; from any thread.
+    pub(super) fn set(&self, share: f32) {
+        self.done.fetch_max((share.clamp(0.0, 1.0) * PARTS as f32) as u32, Ordering::Relaxed);
+    }
+}
+
+fn bar(what: &str) -> ProgressBar {
+    let bar = ProgressBar::with_draw_target(Some(PARTS.into()), ProgressDrawTarget::stderr());
+    let style = ProgressStyle::with_template("{spinner} {msg} {bar:30} {percent:>3} % {elapsed}");
+    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())).with_message(what.to_owned())
+}
+
+impl Drop for Progress {
+    fn drop(&mut self) {
+        self.stop = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
+    }
+}

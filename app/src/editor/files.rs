@@ -1,0 +1,100 @@
+//! Asking for a file name, off the frame: a trait, so that tests can answer.
+//!
+//! The native dialog needs a desktop portal or zenity. Where there is neither it answers "cancelled" at once; the
+//! editor then asks for the path in a window of its own.
+
+use cloudwright_core::formats::scene_file::EXTENSION;
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::{Duration, Instant};
+
+/// What the name is wanted for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Ask {
+    /// Of a scene to open.
+    Open,
+    /// Of a scene to save, with the name to start from.
+    Save(PathBuf),
+}
+
+/// What came back.
+#[derive(Debug, PartialEq, Eq)]
+pub enum Reply {
+    /// A name.
+    Path(PathBuf),
+    /// The user changed their mind.
+    Cancelled,
+    /// No dialog could be shown.
+    NoDialog,
+}
+
+/// Asks the user for file names.
+pub trait FileDialogs {
+    /// Shows a dialog and returns at once; the answer is sent, and then `wake` called.
+    fn ask(&mut self, ask: &Ask, answer: Sender<Reply>, wake: Box<dyn FnOnce() + Send>);
+}
+
+/// The system's own dialogs.
+#[derive(Debug, Default)]
+pub struct NativeDialogs;
+
+/// Nobody reads and cancels a dialog faster than this.
+const TOO_FAST_FOR_A_PERSON: Duration = Duration::from_millis(250);
+
+impl FileDialogs for NativeDialogs {
+    fn ask(&mut self, ask: &Ask, answer: Sender<Reply>, wake: Box<dyn FnOnce() + Send>) {
+        let dialog = rfd::AsyncFileDialog::new().add_filter("Cloudwright scenes", &[EXTENSION]);
+        let asked = Instant::now();
+        // Made on this thread, as macOS wants it, and waited for on another.
+        let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
+            Ask::Open => Box::pin(dialog.set_title("Open scene").pick_file()),
+            Ask::Save(start) => {
+                let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
+                let dialog = dialog.set_title("Save scene as").set_file_name(name);
+                let folder = start.parent().filter(|folder| !folder.as_os_str().is_empty());
+                let dialog = folder.map_or(dialog.clone(), |folder| dialog.set_directory(folder));
+                Box::pin(dialog.save_file())
+            }
+        };
+        std::thread::spawn(move || {
+            let reply = match pollster::block_on(file) {
+                Some(file) => Reply::Path(file.path().into()),
+                None if asked.elapsed() < TOO_FAST_FOR_A_PERSON => Reply::NoDialog,
+                None => Reply::Cancelled,
+            };
+            let _ = answer.send(reply);
+            wake();
+        });
+    }
+}
+
+/// A question that waits for its answer.
+#[derive(Debug)]
+pub(crate) struct Waiting {
+    pub(crate) ask: Ask,
+    answer: Receiver<Reply>,
+}
+
+impl Waiting {
+    pub(crate) fn start(dialogs: &mut dyn FileDialogs, ask: Ask, context: &egui::Context) -> Self {
+        let (sender, answer) = channel();
+        let context = context.clone();
+        dialogs.ask(&ask, sender, Box::new(move || context.request_repaint()));
+        Self { ask, answer }
+    }
+
+    /// The answer, once.
+    pub(crate) fn answered(&self) -> Option<Reply> {
+        use std::sync::mpsc::TryRecvError;
+        match self.answer.try_recv() {
+            Ok(reply) => Some(reply),
+            Err(TryRecvError::Empty) => None,
+            Err(TryRecvError::Disconnected) => Some(Reply::NoDialog),
+        }
+    }
+}
+
+/// `path` with the ending of scene files, unless it has one.
+pub(crate) fn with_extension(path: PathBuf) -> PathBuf {
+    if path.extension().is_some() { path } else { path.with_extension(EXTENSION) }
+}

@@ -1,0 +1,31 @@
+//! The line at the bottom: what happened last, and what the picture cost.
+
+use crate::editor::{Notice, Session};
+use crate::theme;
+use crate::viewport::Viewport;
+use cloudwright_core::math::clock;
+use egui::{Align, Layout, Ui};
+
+/// The status bar.
+pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport, notice: Option<&Notice>) {
+    let clouds = session.derived().clouds();
+    let kept: usize = clouds.iter().map(|cloud| cloud.sprites.len()).sum();
+    let tried: usize = clouds.iter().map(|cloud| cloud.candidate_count).sum();
+    ui.horizontal(|ui| {
+        ui.label(viewport.renderer_name());
+        let time = viewport.picture_time();
+        ui.label(time.map_or_else(|| "…".into(), |time| format!("{:.0} ms", time.as_secs_f64() * 1e3)))
+            .on_hover_text("What the last picture took.");
+        ui.separator();
+        ui.label(format!("{} cloud{}", clouds.len(), if clouds.len() == 1 { "" } else { "s" }));
+        ui.label(format!("{kept} / {tried} sprites")).on_hover_text("Kept, and tried before culling.");
+        ui.separator();
+        ui.label(clock(session.scene().time_of_day_h));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            if let Some(Notice { text, is_error }) = notice {
+                let color = if *is_error { theme::error(ui) } else { ui.visuals().text_color() };
+                ui.add(egui::Label::new(egui::RichText::new(text).color(color)).truncate()).on_hover_text(text);
+            }
+        });
+    });
+}

@@ -1,0 +1,117 @@
+//! The only colours and spacings.
+
+use egui::{Color32, Context, CornerRadius, Frame, Margin, Stroke, Style, Theme, Ui, Visuals, vec2};
+
+/// Between things that belong apart.
+pub(crate) const GAP: f32 = 8.0;
+/// Points.
+pub(crate) const OUTLINE_WIDTH: f32 = 220.0;
+/// Points.
+pub(crate) const INSPECTOR_WIDTH: f32 = 320.0;
+/// Points.
+pub(crate) const DIALOG_WIDTH: f32 = 380.0;
+/// Points.
+pub(crate) const WIDE_DIALOG_WIDTH: f32 = 560.0;
+/// Points.
+pub(crate) const DIALOG_LIST_HEIGHT: f32 = 320.0;
+/// Of a field for a number, points.
+pub(crate) const NUMBER_WIDTH: f32 = 62.0;
+/// Of the column of names in the inspector, points.
+pub(crate) const NAME_WIDTH: f32 = 108.0;
+/// Around marks in the viewport.
+pub(crate) const VIEWPORT_MARGIN: f32 = 10.0;
+
+/// A selected box.
+pub(crate) const SELECTED_BOX: Stroke = Stroke { width: 1.5, color: Color32::from_rgb(255, 176, 64) };
+/// A box of the selected model or cloud.
+pub(crate) const RELATED_BOX: Stroke = Stroke { width: 1.0, color: Color32::from_rgb(255, 214, 150) };
+/// Any other box.
+pub(crate) const OTHER_BOX: Stroke = Stroke { width: 1.0, color: Color32::from_rgba_premultiplied(28, 52, 88, 130) };
+/// Behind text in the viewport.
+pub(crate) const VIEWPORT_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 110);
+/// Text in the viewport, on that shade.
+pub(crate) const VIEWPORT_TEXT: Color32 = Color32::from_gray(235);
+
+const ACCENT_DARK: Color32 = Color32::from_rgb(52, 96, 148);
+const ACCENT_LIGHT: Color32 = Color32::from_rgb(168, 205, 240);
+
+/// Gives the window both looks; the desktop's own preference decides until the user switches.
+pub(crate) fn install(context: &Context) {
+    context.style_mut_of(Theme::Dark, |style| {
+        spacing(style);
+        dark(&mut style.visuals);
+    });
+    context.style_mut_of(Theme::Light, |style| {
+        spacing(style);
+        light(&mut style.visuals);
+    });
+}
+
+/// From dark to light and back.
+pub(crate) fn switch(context: &Context) {
+    context.set_theme(if context.theme() == Theme::Dark { Theme::Light } else { Theme::Dark });
+}
+
+fn spacing(style: &mut Style) {
+    style.spacing.item_spacing = vec2(6.0, 5.0);
+    style.spacing.button_padding = vec2(8.0, 3.0);
+    style.spacing.interact_size.y = 22.0;
+    style.spacing.slider_width = 150.0;
+    style.spacing.indent = 14.0;
+    style.visuals.indent_has_left_vline = false;
+    style.visuals.slider_trailing_fill = true;
+    for corner in [
+        &mut style.visuals.widgets.inactive.corner_radius,
+        &mut style.visuals.widgets.hovered.corner_radius,
+        &mut style.visuals.widgets.active.corner_radius,
+        &mut style.visuals.widgets.open.corner_radius,
+        &mut style.visuals.widgets.noninteractive.corner_radius,
+    ] {
+        *corner = CornerRadius::same(4);
+    }
+}
+
+fn dark(visuals: &mut Visuals) {
+    visuals.error_fg_color = Color32::from_rgb(255, 128, 116);
+    visuals.panel_fill = Color32::from_rgb(32, 35, 40);
+    visuals.window_fill = Color32::from_rgb(38, 42, 48);
+    visuals.extreme_bg_color = Color32::from_rgb(22, 24, 28);
+    visuals.faint_bg_color = Color32::from_rgb(38, 41, 47);
+    visuals.selection.bg_fill = ACCENT_DARK;
+    visuals.widgets.noninteractive.bg_stroke.color = Color32::from_rgb(54, 58, 66);
+    visuals.widgets.noninteractive.fg_stroke.color = Color32::from_gray(190);
+    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(50, 54, 62);
+    visuals.widgets.inactive.bg_fill = Color32::from_rgb(58, 63, 72);
+    visuals.widgets.inactive.fg_stroke.color = Color32::from_gray(210);
+}
+
+fn light(visuals: &mut Visuals) {
+    visuals.error_fg_color = Color32::from_rgb(178, 34, 34);
+    visuals.panel_fill = Color32::from_rgb(244, 245, 247);
+    visuals.window_fill = Color32::from_rgb(250, 250, 251);
+    visuals.selection.bg_fill = ACCENT_LIGHT;
+    visuals.selection.stroke.color = Color32::from_rgb(10, 48, 92);
+    visuals.widgets.noninteractive.bg_stroke.color = Color32::from_rgb(214, 217, 222);
+    visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(228, 231, 236);
+    visuals.widgets.inactive.bg_fill = Color32::from_rgb(214, 218, 225);
+}
+
+/// Menus, tools and status.
+pub(crate) fn bar(ui: &Ui) -> Frame {
+    Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(8, 4))
+}
+
+/// Outline and inspector.
+pub(crate) fn side(ui: &Ui) -> Frame {
+    Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(10, 8))
+}
+
+/// Windows that come up over the editor.
+pub(crate) fn dialog(context: &Context) -> Frame {
+    Frame::popup(&context.global_style()).inner_margin(Margin::same(16))
+}
+
+/// What is wrong.
+pub(crate) fn error(ui: &Ui) -> Color32 {
+    ui.visuals().error_fg_color
+}

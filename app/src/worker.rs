@@ -1,0 +1,134 @@
+//! Slow work off the window's frame. The latest request wins.
+//!
+//! One thread takes the newest request, works, answers and wakes the window. A request that came and was replaced
+//! while the thread worked is never started, so a drag can ask at every frame.
+
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::thread;
+
+/// A thread that answers the latest of its requests. Ends when dropped, after the work in hand.
+#[derive(Debug)]
+pub struct Latest<Request, Answer> {
+    slot: Arc<Slot<Request>>,
+    answers: Receiver<Answer>,
+}
+
+#[derive(Debug)]
+struct Slot<Request> {
+    state: Mutex<State<Request>>,
+    changed: Condvar,
+}
+
+#[derive(Debug)]
+struct State<Request> {
+    waiting: Option<Request>,
+    closed: bool,
+}
+
+impl<Request> Slot<Request> {
+    /// Nothing can break between the lock and its release, so a poisoned lock holds a whole state.
+    fn lock(&self) -> MutexGuard<'_, State<Request>> {
+        self.state.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The next request; none when the owner is gone.
+    fn take(&self) -> Option<Request> {
+        let mut state = self.lock();
+        loop {
+            if state.closed {
+                return None;
+            }
+            if let Some(request) = state.waiting.take() {
+                return Some(request);
+            }
+            state = self.changed.wait(state).unwrap_or_else(PoisonError::into_inner);
+        }
+    }
+}
+
+impl<Request: Send + 'static, Answer: Send + 'static> Latest<Request, Answer> {
+    /// Starts the thread. `work` answers one request; `wake` is called after each answer.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub fn start(
+        name: &str,
+        work: impl FnMut(Request) -> Answer + Send + 'static,
+        wake: impl Fn() + Send + 'static,
+    ) -> std::io::Result<Self> {
+        let slot =
+            Arc::new(Slot { state: Mutex::new(State { waiting: None, closed: false }), changed: Condvar::new() });
+        let (sender, answers) = channel();
+        let shared = Arc::clone(&slot);
+        thread::Builder::new().name(name.into()).spawn(move || serve(&shared, &sender, work, wake))?;
+        Ok(Self { slot, answers })
+    }
+
+    /// Asks; a request that still waits is replaced.
+    pub fn ask(&self, request: Request) {
+        self.slot.lock().waiting = Some(request);
+        self.slot.changed.notify_one();
+    }
+
+    /// The newest answer since the last call.
+    pub fn newest(&self) -> Option<Answer> {
+        self.answers.try_iter().last()
+    }
+}
+
+fn serve<Request, Answer>(
+    slot: &Slot<Request>,
+    answers: &Sender<Answer>,
+    mut work: impl FnMut(Request) -> Answer,
+    wake: impl Fn(),
+) {
+    while let Some(request) = slot.take() {
+        if answers.send(work(request)).is_err() {
+            return;
+        }
+        wake();
+    }
+}
+
+impl<Request, Answer> Drop for Latest<Request, Answer> {
+    fn drop(&mut self) {
+        self.slot.lock().closed = true;
+        self.slot.changed.notify_one();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_latest_request_wins() {
+        let (gate, opened) = channel::<()>();
+        let (tell, woken) = channel::<()>();
+        let worker = Latest::start(
+            "test",
+            move |request: u32| {
+                let _ = opened.recv();
+                request
+            },
+            move || {
+                let _ = tell.send(());
+            },
+        )
+        .expect("a thread");
+        worker.ask(1);
+        // The thread may or may not have taken 1 already; 2 is replaced before it can start only if it has.
+        while worker.slot.lock().waiting.is_some() {
+            thread::yield_now();
+        }
+        worker.ask(2);
+        worker.ask(3);
+        for _ in 0..2 {
+            gate.send(()).expect("the thread lives");
+            woken.recv().expect("an answer");
+        }
+        assert_eq!(worker.newest(), Some(3));
+        assert_eq!(worker.newest(), None);
+    }
+}

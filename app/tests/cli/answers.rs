@@ -1,0 +1,81 @@
+//! What `check`, `info` and `export` say about sound scenes.
+
+use crate::Place;
+use crate::scenes::changed;
+use serde_json::{Value, json};
+
+fn as_json(text: &str) -> Value {
+    serde_json::from_str(text).unwrap_or_else(|error| panic!("{error} in {text}"))
+}
+
+#[test]
+fn check_of_a_sound_scene_has_nothing_to_say() {
+    let place = Place::new();
+    let ran = place.run("check good.cloudscene");
+    // A box of 30 sprites is a group of at most 30: no note.
+    assert_eq!((ran.code, ran.stdout.as_str()), (0, ""), "{}", ran.stderr);
+    assert_eq!(as_json(&place.run("check --json good.cloudscene").stdout), json!([]));
+}
+
+#[test]
+fn check_marks_notes() {
+    let place = Place::new();
+    place.put("crowd.cloudscene", &changed(|s| s["models"][0]["boxes"][0]["sprite_count"] = json!(300)));
+    let ran = place.run("check crowd.cloudscene");
+    assert_eq!(ran.code, 1);
+    assert!(ran.stdout.starts_with("crowd.cloudscene: clouds[0]: note: shading group"), "{}", ran.stdout);
+    let ran = place.run("check --json crowd.cloudscene good.cloudscene");
+    let problems = as_json(&ran.stdout);
+    assert_eq!(
+        (ran.code, &problems[0]["severity"], &problems[0]["file"]),
+        (1, &json!("note"), &json!("crowd.cloudscene"))
+    );
+    for key in ["place", "message", "hint"] {
+        assert!(problems[0][key].as_str().is_some_and(|text| !text.is_empty()), "{key}");
+    }
+}
+
+#[test]
+fn info_counts() {
+    let place = Place::new();
+    let ran = place.run("info --json good.cloudscene");
+    assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
+    let counts = as_json(&ran.stdout);
+    assert_eq!((&counts["models"], &counts["boxes"], &counts["total"]["clouds"]), (&json!(1), &json!(2), &json!(2)));
+    assert_eq!(counts["total"]["sprites_tried"], json!(120), "two boxes of 30, placed twice");
+    let clouds = counts["clouds"].as_array().expect("a list");
+    let kept: u64 = clouds.iter().filter_map(|cloud| cloud["sprites"].as_u64()).sum();
+    assert!(kept > 0 && kept < 120, "culling takes some");
+    assert_eq!(counts["total"]["sprites"], json!(kept));
+    let low = |which: &Value| which["bounds"]["low"][0].as_f64().expect("a number");
+    assert_eq!(low(&counts["total"]), low(&clouds[0]), "the western cloud bounds the west");
+    let text = place.run("info good.cloudscene").stdout;
+    for word in ["1 models", "main, above", "west", "east", "total", "bounds"] {
+        assert!(text.contains(word), "no {word} in {text}");
+    }
+}
+
+#[test]
+fn export_writes_each_kept_sprite() {
+    let place = Place::new();
+    let counts = as_json(&place.run("info --json good.cloudscene").stdout);
+    let kept = counts["total"]["sprites"].as_u64().expect("a number") as usize;
+    for words in ["", " --shaded", " --shaded --time 18:30 --camera above"] {
+        for ending in ["json", "csv"] {
+            let words = format!("export good.cloudscene -o out.{ending}{words}");
+            let ran = place.run(&words);
+            assert_eq!((ran.code, ran.stdout.as_str(), ran.stderr.as_str()), (0, "", ""), "{words}");
+        }
+        let json = as_json(&String::from_utf8_lossy(&place.read("out.json")));
+        let of = |cloud: &Value| cloud["sprites"].as_array().map_or(0, Vec::len);
+        assert_eq!(json["clouds"].as_array().expect("a list").iter().map(of).sum::<usize>(), kept);
+        assert_eq!(json["clouds"][0]["sprites"][0]["corners"].is_array(), !words.is_empty());
+        let csv = String::from_utf8(place.read("out.csv")).expect("text");
+        assert_eq!(csv.lines().count(), kept + 1, "a line each, and one of heads");
+    }
+    let shaded_at = |time: &str| {
+        place.run(&format!("export good.cloudscene -o out.csv --shaded --time {time}"));
+        place.read("out.csv")
+    };
+    assert_ne!(shaded_at("12:00"), shaded_at("18:30"));
+}

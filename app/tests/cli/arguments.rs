@@ -1,0 +1,79 @@
+//! Arguments that can't be used, and places that can't be written.
+
+use crate::Place;
+
+/// Arguments, exit code, words on stderr.
+const CASES: &[(&str, i32, &[&str])] = &[
+    ("render", 2, &["SCENE", "--help"]),
+    ("render good.cloudscene", 2, &["--output"]),
+    ("render good.cloudscene -o out.jpg", 2, &["out.jpg", ".png"]),
+    ("render good.cloudscene -o out", 2, &["out", ".png"]),
+    ("render good.cloudscene -o out.png --samples 0", 2, &["--samples", "square number"]),
+    ("render good.cloudscene -o out.png --samples 5", 2, &["--samples", "square number"]),
+    ("render good.cloudscene -o out.png --samples 81", 2, &["--samples", "square number"]),
+    ("render good.cloudscene -o out.png --size 0x10", 2, &["--size", "1280x720"]),
+    ("render good.cloudscene -o out.png --size 16385x1", 2, &["--size", "16384"]),
+    ("render good.cloudscene -o out.png --size 1280", 2, &["--size", "1280x720"]),
+    ("render good.cloudscene -o out.png --size 16384x16384", 2, &["--size", "lower"]),
+    ("render good.cloudscene -o out.png --size 4096x4096 --samples 64", 2, &["--samples", "lower"]),
+    ("render good.cloudscene -o out.png --truth --size 16384x16384", 2, &["--size", "lower"]),
+    ("render good.cloudscene -o out.png --truth --renderer gpu", 2, &["--truth", "CPU"]),
+    ("render good.cloudscene -o out.png --renderer fast", 2, &["--renderer", "auto"]),
+    ("render good.cloudscene -o out.png --time 24:00", 2, &["--time", "23:59"]),
+    ("render good.cloudscene -o out.png --time noon", 2, &["--time", "18:30"]),
+    ("render good.cloudscene -o out.png --camera tail", 2, &["good.cloudscene", "“tail”", "main, above"]),
+    ("render good.cloudscene -o none/out.png", 3, &["none/out.png", "make the folder"]),
+    ("render good.cloudscene -o good.cloudscene/out.png", 3, &["out.png", "choose a folder"]),
+    ("render good.cloudscene -o folder.png", 3, &["folder.png", "it is a folder"]),
+    ("render good.cloudscene -o guarded.png", 3, &["guarded.png", "write-protected"]),
+    ("export good.cloudscene -o out.xml", 2, &["out.xml", ".json or .csv"]),
+    ("export good.cloudscene -o out", 2, &["out", ".json or .csv"]),
+    ("export good.cloudscene -o out.json --time 10:00", 2, &["--shaded"]),
+    ("export good.cloudscene -o out.json --camera main", 2, &["--shaded"]),
+    ("export good.cloudscene -o out.json --shaded --camera tail", 2, &["“tail”", "main, above"]),
+    ("export good.cloudscene -o none/out.csv", 3, &["none/out.csv", "make the folder"]),
+    ("check", 2, &["SCENE"]),
+    ("info", 2, &["SCENE"]),
+    ("info good.cloudscene --yaml", 2, &["--yaml"]),
+    ("good.cloudscene", 3, &["no display", "cloudwright render"]),
+    ("", 3, &["no display", "cloudwright render"]),
+    ("fly good.cloudscene", 2, &["good.cloudscene", "--help"]),
+];
+
+#[test]
+fn what_cannot_be_done_is_said() {
+    let place = Place::new();
+    std::fs::create_dir(place.path("folder.png")).expect("writable");
+    place.put("guarded.png", b"old");
+    let mut guarded = std::fs::metadata(place.path("guarded.png")).expect("there").permissions();
+    guarded.set_readonly(true);
+    std::fs::set_permissions(place.path("guarded.png"), guarded).expect("allowed");
+    for (words, code, wanted) in CASES {
+        place.refuses(words, *code, wanted);
+    }
+    assert_eq!(place.read("guarded.png"), b"old");
+}
+
+#[cfg(unix)]
+#[test]
+fn an_unwritable_folder() {
+    use std::os::unix::fs::PermissionsExt;
+    let place = Place::new();
+    let locked = place.path("locked");
+    std::fs::create_dir(&locked).expect("writable");
+    std::fs::set_permissions(&locked, std::fs::Permissions::from_mode(0o555)).expect("allowed");
+    // A system administrator may write everywhere; then there is nothing to see.
+    if std::fs::write(locked.join("probe"), b"").is_err() {
+        place.refuses("render good.cloudscene -o locked/out.png", 3, &["locked/out.png", "permission denied"]);
+    }
+}
+
+#[test]
+fn every_subcommand_has_examples() {
+    let place = Place::new();
+    for words in ["--help", "render --help", "check --help", "info --help", "export --help"] {
+        let ran = place.run(words);
+        assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{words}");
+        assert!(ran.stdout.contains("Examples:\n  cloudwright "), "{words}");
+    }
+}

@@ -1,0 +1,53 @@
+//! Scenes to try: a sound one, and ways to break its text.
+
+use cloudwright_core::formats::scene_file;
+use cloudwright_core::scene::{
+    BoxId, Camera, CameraId, Category, Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene,
+};
+use glam::DVec3;
+
+/// A model of two boxes, placed twice, with two cameras; small enough for quick pictures.
+pub(crate) fn good_scene() -> Scene {
+    let mut scene = Scene { name: "good".into(), ..Scene::default() };
+    let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "heap", Category::CumulusHumilis);
+    for x in [-200.0, 200.0] {
+        model.boxes.push(CloudBox::new(BoxId::new(&mut scene.next_id), DVec3::new(x, 0.0, 0.0)));
+    }
+    for (name, x) in [("west", -900.0), ("east", 900.0)] {
+        scene.clouds.push(Cloud {
+            id: CloudId::new(&mut scene.next_id),
+            name: name.into(),
+            model: model.id,
+            position: DVec3::new(x, 900.0, 0.0),
+            heading_deg: 0.0,
+            scale: 1.0,
+            seed: None,
+        });
+    }
+    scene.models.push(model);
+    let above = Camera {
+        pitch_deg: -30.0,
+        ..Camera::new(CameraId::new(&mut scene.next_id), "above", DVec3::new(0.0, 2500.0, 3000.0))
+    };
+    scene.cameras.push(above);
+    scene
+}
+
+/// Its file.
+pub(crate) fn good() -> String {
+    scene_file::write(&good_scene()).expect("a sound scene")
+}
+
+/// Its file, changed as a JSON value.
+pub(crate) fn changed(change: impl FnOnce(&mut serde_json::Value)) -> Vec<u8> {
+    let mut json: serde_json::Value = serde_json::from_str(&good()).expect("JSON");
+    change(&mut json["scene"]);
+    serde_json::to_vec_pretty(&json).expect("JSON")
+}
+
+/// Its file with a piece of text replaced; the piece must be there.
+pub(crate) fn replaced(from: &str, to: &str) -> Vec<u8> {
+    let text = good();
+    assert!(text.contains(from), "no {from} in the scene");
+    text.replacen(from, to, 1).into_bytes()
+}

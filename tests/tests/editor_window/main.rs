@@ -1,0 +1,116 @@
+//! The editor by its labels, without a window and without a GPU: the real app in egui's test harness.
+//!
+//! Widgets are found as a screen reader finds them; what comes of a click is read from the document.
+
+#![allow(clippy::panic, reason = "a failing test says what it found")]
+
+mod editing;
+mod files;
+mod viewing;
+
+use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session, Start};
+use cloudwright::renderer::RendererChoice;
+use cloudwright_core::scene::Scene;
+use egui::accesskit::Role;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2};
+use egui_kittest::kittest::Queryable;
+use egui_kittest::{Harness, Node};
+use std::cell::RefCell;
+use std::collections::VecDeque;
+use std::rc::Rc;
+use std::sync::mpsc::Sender;
+
+/// Answers to file dialogs, first one first; and what was asked.
+#[derive(Default, Clone)]
+struct Script {
+    answers: Rc<RefCell<VecDeque<Reply>>>,
+    asked: Rc<RefCell<Vec<Ask>>>,
+}
+
+impl FileDialogs for Script {
+    fn ask(&mut self, ask: &Ask, answer: Sender<Reply>, wake: Box<dyn FnOnce() + Send>) {
+        self.asked.borrow_mut().push(ask.clone());
+        let reply = self.answers.borrow_mut().pop_front().unwrap_or(Reply::Cancelled);
+        answer.send(reply).expect("the editor waits");
+        wake();
+    }
+}
+
+fn start(dialogs: Script) -> Start {
+    Start { scene: None, renderer: RendererChoice::Cpu, device: None, file_dialogs: Box::new(dialogs) }
+}
+
+/// An editor under test.
+struct Window {
+    harness: Harness<'static, Editor>,
+    script: Script,
+}
+
+impl Window {
+    fn open() -> Self {
+        let script = Script::default();
+        let dialogs = script.clone();
+        let harness = Harness::builder()
+            .with_size([1280.0, 1200.0])
+            .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start(dialogs)));
+        Self { harness, script }
+    }
+
+    fn answer(&self, reply: Reply) {
+        self.script.answers.borrow_mut().push_back(reply);
+    }
+
+    /// A few frames. The picture arrives when it likes, so there is no waiting until all is quiet.
+    fn settle(&mut self) {
+        self.harness.run_steps(4);
+    }
+
+    fn session(&self) -> &Session {
+        self.harness.state().session()
+    }
+
+    fn scene(&self) -> &Scene {
+        self.session().scene()
+    }
+
+    fn sprites(&self) -> usize {
+        self.session().derived().clouds().iter().map(|cloud| cloud.sprites.len()).sum()
+    }
+
+    fn undo_name(&self) -> Option<String> {
+        self.session().document().undo_name().map(Into::into)
+    }
+
+    fn node<'a>(&'a self, role: Role, label: &'a str) -> Node<'a> {
+        self.harness.get_by_role_and_label(role, label)
+    }
+
+    fn press(&mut self, button: &str) {
+        self.node(Role::Button, button).click();
+        self.settle();
+    }
+
+    /// A number's field.
+    fn set(&mut self, label: &str, value: f64) {
+        self.node(Role::SpinButton, label).set_value_accesskit(value);
+        self.settle();
+    }
+
+    fn keys(&mut self, modifiers: Modifiers, key: Key) {
+        self.harness.key_press_modifiers(modifiers, key);
+        self.settle();
+    }
+
+    fn shows(&self, label: &str) -> bool {
+        self.harness.query_by_label_contains(label).is_some()
+    }
+
+    fn pointer(&mut self, to: Pos2, pressed: Option<bool>) {
+        self.harness.event(Event::PointerMoved(to));
+        if let Some(pressed) = pressed {
+            let button = PointerButton::Primary;
+            self.harness.event(Event::PointerButton { pos: to, button, pressed, modifiers: Modifiers::NONE });
+        }
+        self.harness.step();
+    }
+}

@@ -1,0 +1,87 @@
+//! Selection both ways, and the hands on the viewport. None of it changes the scene.
+
+use crate::Window;
+use cloudwright::editor::Selection;
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, vec2};
+use egui_kittest::kittest::Queryable;
+
+#[test]
+fn a_click_selects_a_cloud_and_then_a_box() {
+    let mut window = Window::open();
+    window.settle();
+    window.keys(Modifiers::NONE, Key::A);
+    let cloud = window.scene().clouds[0].id;
+    let middle = window.harness.get_by_label("Viewport").rect().center();
+    let click = |window: &mut Window, at| {
+        window.pointer(at, Some(true));
+        window.pointer(at, Some(false));
+        window.settle();
+    };
+    click(&mut window, middle);
+    assert_eq!(window.harness.state().selection(), Selection::Cloud(cloud));
+    click(&mut window, middle);
+    assert!(matches!(window.harness.state().selection(), Selection::Box(..)));
+    let corner = window.harness.get_by_label("Viewport").rect().left_top() + vec2(5.0, 5.0);
+    click(&mut window, corner);
+    assert_eq!(window.harness.state().selection(), Selection::Nothing);
+    window.press("left head");
+    assert!(matches!(window.harness.state().selection(), Selection::Box(..)));
+    assert!(window.node(Role::SpinButton, "Sprites").value().is_some_and(|value| value == "28"));
+}
+
+#[test]
+fn turning_the_view_is_no_change() {
+    let mut window = Window::open();
+    window.settle();
+    let scene = window.scene().clone();
+    let middle = window.harness.get_by_label("Viewport").rect().center();
+    window.pointer(middle, Some(true));
+    window.pointer(middle + vec2(80.0, 30.0), None);
+    window.pointer(middle + vec2(120.0, 50.0), Some(false));
+    window.keys(Modifiers::SHIFT, Key::B);
+    window.settle();
+    assert_eq!(window.scene(), &scene);
+    assert!(!window.session().document().is_modified());
+    // The view turned: a camera put there sees something else than the scene's first.
+    window.press("Add camera");
+    let cameras = &window.scene().cameras;
+    assert!((cameras[1].heading_deg - cameras[0].heading_deg).abs() > 5.0);
+}
+
+#[test]
+fn looking_through_a_camera_and_back() {
+    let mut window = Window::open();
+    window.settle();
+    window.press("main");
+    window.keys(Modifiers::NONE, Key::A);
+    window.press("Set from view");
+    assert_eq!(window.undo_name().as_deref(), Some("Set camera from view"));
+    let moved = window.scene().cameras[0].clone();
+    window.press("Undo");
+    assert_ne!(window.scene().cameras[0], moved);
+    window.press("Look through");
+    window.press("Set from view");
+    assert_eq!(window.undo_name(), None, "the view is where the camera was");
+}
+
+#[test]
+fn keys_work_on_the_viewport_and_leave_text_alone() {
+    let mut window = Window::open();
+    window.settle();
+    let middle = window.harness.get_by_label("Viewport").rect().center();
+    window.pointer(middle, Some(true));
+    window.pointer(middle, Some(false));
+    window.settle();
+    window.keys(Modifiers::NONE, Key::ArrowRight);
+    window.press("Add camera");
+    let cameras = &window.scene().cameras;
+    assert!(cameras[1].heading_deg > cameras[0].heading_deg, "an arrow key turns the view");
+    // Delete in a text field takes a letter, not the camera.
+    let field = window.harness.get_by_role_and_label(Role::TextInput, "Name");
+    field.focus();
+    window.settle();
+    window.keys(Modifiers::NONE, Key::Delete);
+    window.keys(Modifiers::NONE, Key::B);
+    assert_eq!(window.scene().cameras.len(), 2);
+}
