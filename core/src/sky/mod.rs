@@ -38,11 +38,6 @@ impl Background {
         let color = ground.color(direction * distance, ground.pixel_m(direction, distance, footprint));
         color.mix(self.dome.horizon(direction), haze_share(distance, self.haze_length_m))
     }
-
-    /// The colour that a thing in `direction` (any length) hazes to, and how far it has, at `distance` metres.
-    pub fn haze(&self, direction: Vec3, distance: f32) -> (Rgb, f32) {
-        (self.dome.horizon(direction), haze_share(distance, self.haze_length_m))
-    }
 }
 
 /// 1 − e^(−distance / length), 0 to 1.

@@ -1,6 +1,6 @@
 //! The background for a whole picture on the CPU.
 //!
-//! The sky changes slowly, so it is evaluated at nodes some half a degree apart and interpolated between; near the sun
+//! The sky changes slowly, so it is evaluated at nodes up to 1.7° apart and interpolated between; near the sun
 //! and across the horizon at every pixel. The ground's noise runs over a row at a time in loops without branches.
 //! [`Background::color`] is the oracle.
 
@@ -12,11 +12,11 @@ use crate::tone::Planes;
 use glam::Vec3;
 
 /// Pixels between nodes.
-const STEP: usize = 8;
+const STEP: usize = 16;
 /// The most pixels that a call may ask for.
 pub const MOST: usize = 32;
 /// Nodes farther apart than this, radians, would miss the sky's curvature.
-const COARSEST_STEP: f32 = 0.012;
+const COARSEST_STEP: f32 = 0.03;
 /// Sine of the elevation below which the azimuth changes too fast from node to node.
 const STEEP_SINE: f32 = -0.95;
 /// Within this angle of the sun, radians, its glow has a point.

@@ -6,7 +6,7 @@
 
 use super::super::ScreenSprite;
 use super::bins::{TILE, TileRect};
-use super::tile::{LANES, Tile, spans};
+use super::tile::{LANES, Spans, Tile, bits};
 use crate::camera::NEAR_M;
 use crate::sprites::{Atlas, FootprintTable, LEVEL_START, MIP_LEVELS, TABLE, TILE_SIZE};
 use bytemuck::must_cast;
@@ -93,15 +93,11 @@ fn draw<const GREY: bool>(
     let lanes = _mm256_setr_ps(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
     let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
     let [d_dx, u_dx, v_dx] = [sprite.denominator.dx, sprite.u.dx, sprite.v.dx].map(|dx| _mm256_set1_ps(dx));
-    for (row, span) in spans(sprite, rect) {
+    for (row, span) in Spans::new(sprite, rect).rows() {
         let y = first_y + row as f32;
         let [d_row, u_row, v_row] =
             [sprite.denominator, sprite.u, sprite.v].map(|linear| _mm256_set1_ps(linear.at(first_x, y)));
-        for group in span.start / LANES..=(span.end - 1) / LANES {
-            let through: __m256 = must_cast(tile.planes[3][row * (TILE / LANES) + group]);
-            if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GE_OQ>(through, stop_below)) == 0 {
-                continue;
-            }
+        for group in bits(tile.open_groups(row, &span)) {
             let x = _mm256_add_ps(_mm256_set1_ps((group * LANES) as f32), lanes);
             let denominator = _mm256_fmadd_ps(x, d_dx, d_row);
             let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), denominator);
@@ -117,17 +113,24 @@ fn draw<const GREY: bool>(
                     *fine = _mm256_fmadd_ps(between, _mm256_sub_ps(coarse, *fine), *fine);
                 }
             }
+            if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(texel[0], _mm256_setzero_ps())) == 0 {
+                continue;
+            }
             if constants.cut_by_near {
                 let depth = _mm256_mul_ps(_mm256_set1_ps(sprite.depth), inverse);
                 let before = _mm256_cmp_ps::<_CMP_GE_OQ>(depth, _mm256_set1_ps(NEAR_M));
                 texel = texel.map(|channel| _mm256_and_ps(channel, before));
             }
-            blend(tile, row * (TILE / LANES) + group, &constants.light, sprite.haze, texel, u, v);
+            let through = blend(tile, row * (TILE / LANES) + group, &constants.light, sprite.haze, texel, u, v);
+            if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GE_OQ>(through, stop_below)) == 0 {
+                tile.close(row, group);
+            }
         }
     }
 }
 
-/// Adds eight fragments of `texel` (alpha, red, green, blue) lit by the corners' light at (u, v).
+/// Adds eight fragments of `texel` (alpha, red, green, blue) lit by the corners' light at (u, v), and gives what still
+/// gets through.
 #[target_feature(enable = "avx2,fma")]
 #[inline]
 fn blend(
@@ -138,7 +141,7 @@ fn blend(
     texel: [__m256; 4],
     u: __m256,
     v: __m256,
-) {
+) -> __m256 {
     let uv = _mm256_mul_ps(u, v);
     let lit = light.map(|[at, along_u, along_v, along_both]| {
         let base = _mm256_fmadd_ps(u, _mm256_set1_ps(along_u), _mm256_set1_ps(at));
@@ -152,7 +155,9 @@ fn blend(
         let before: __m256 = must_cast(tile.planes[c][group]);
         tile.planes[c][group] = must_cast(_mm256_fmadd_ps(share, color, before));
     }
-    tile.planes[3][group] = must_cast(_mm256_fnmadd_ps(share, texel[0], through));
+    let through = _mm256_fnmadd_ps(share, texel[0], through);
+    tile.planes[3][group] = must_cast(through);
+    through
 }
 
 /// Alpha, red, green and blue of eight pixels at one mip level, 0 to 1, premultiplied.
@@ -194,21 +199,29 @@ fn fetch<const GREY: bool>(
     [alpha, red, green, blue]
 }
 
-/// The two channels of a table at eight texels, filtered.
+/// The two channels of a table at eight texels, filtered with weights for the left texels (upper low, lower high) and for
+/// the right ones.
 #[target_feature(enable = "avx2,fma")]
 #[inline]
 fn filter(table: &FootprintTable, index: &[i32; LANES], left: __m256i, right: __m256i) -> [__m256; 2] {
-    let at = |lane: usize| table[index[lane] as usize & (TABLE - 1)] as i64;
+    // One load of eight bytes: an entry and its right neighbour.
+    let at = |lane: usize| {
+        let entry = index[lane] as usize & (TABLE - 1);
+        (u64::from(table[entry]) | (u64::from(table[entry + 1]) << 32)) as i64
+    };
     // In this order the shuffles below bring the lanes back in line.
-    let low = _mm256_set_epi64x(at(5), at(4), at(1), at(0));
-    let high = _mm256_set_epi64x(at(7), at(6), at(3), at(2));
-    let (low, high) = (_mm256_castsi256_ps(low), _mm256_castsi256_ps(high));
-    let first = _mm256_castps_si256(_mm256_shuffle_ps::<0b10_00_10_00>(low, high));
-    let second = _mm256_castps_si256(_mm256_shuffle_ps::<0b11_01_11_01>(low, high));
-    [first, second].map(|footprint| {
-        let bytes = _mm256_set1_epi32(0x00FF_00FF);
-        let left = _mm256_madd_epi16(_mm256_and_si256(footprint, bytes), left);
-        let right = _mm256_madd_epi16(_mm256_and_si256(_mm256_srli_epi32::<8>(footprint), bytes), right);
+    let low = _mm256_castsi256_ps(_mm256_set_epi64x(at(5), at(4), at(1), at(0)));
+    let high = _mm256_castsi256_ps(_mm256_set_epi64x(at(7), at(6), at(3), at(2)));
+    let left_texels = _mm256_castps_si256(_mm256_shuffle_ps::<0b10_00_10_00>(low, high));
+    let right_texels = _mm256_castps_si256(_mm256_shuffle_ps::<0b11_01_11_01>(low, high));
+    // Two bytes of each entry as 16-bit numbers.
+    let channels = [0x8001_8000_u32, 0x8003_8002].map(|first| {
+        let lanes: [u32; 4] = std::array::from_fn(|lane| first + 0x0004_0004 * lane as u32);
+        _mm256_broadcastsi128_si256(must_cast(lanes))
+    });
+    channels.map(|channel| {
+        let left = _mm256_madd_epi16(_mm256_shuffle_epi8(left_texels, channel), left);
+        let right = _mm256_madd_epi16(_mm256_shuffle_epi8(right_texels, channel), right);
         let sum = _mm256_cvtepi32_ps(_mm256_add_epi32(left, right));
         _mm256_mul_ps(sum, _mm256_set1_ps(1.0 / (255.0 * WEIGHT_ONE)))
     })

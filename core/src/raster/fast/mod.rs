@@ -125,13 +125,10 @@ fn draw<P: Copy + Send + Sync>(
 }
 
 fn draw_tile(brush: &Brush<'_>, sprites: &[ScreenSprite], rect: TileRect, members: &[u32], stop_below: f32) -> Tile {
-    let mut tile = Tile::clear();
-    // Looking whether a tile is opaque costs a pass over it: every eighth sprite is often enough.
-    for batch in members.chunks(8) {
-        for &member in batch {
-            brush.draw(&mut tile, rect, &sprites[member as usize], stop_below);
-        }
-        if tile.most_through(rect) < stop_below {
+    let mut tile = Tile::clear(rect);
+    for &member in members {
+        brush.draw(&mut tile, rect, &sprites[member as usize], stop_below);
+        if tile.is_done() {
             break;
         }
     }

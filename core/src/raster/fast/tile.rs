@@ -13,17 +13,23 @@ pub const LANES: usize = 8;
 pub struct Tile {
     /// Red, green, blue, and what still gets through.
     pub planes: [[[f32; LANES]; TILE * TILE / LANES]; 4],
+    /// For each row a bit for each group of [`LANES`] pixels that something still gets through.
+    pub open: [u8; TILE],
 }
 
 /// A row of a tile: red, green, blue, and what still gets through.
 pub type TileRow = [[f32; TILE]; 4];
 
 impl Tile {
-    /// No colour, all gets through.
-    pub fn clear() -> Self {
+    /// No colour, all gets through; nothing does outside the picture.
+    pub fn clear(rect: TileRect) -> Self {
+        let [width, height] = [rect.width as usize, rect.height as usize];
         let mut planes = [[[0.0; LANES]; TILE * TILE / LANES]; 4];
-        planes[3] = [[1.0; LANES]; TILE * TILE / LANES];
-        Self { planes }
+        for row in planes[3].chunks_mut(TILE / LANES).take(height) {
+            row.as_flattened_mut()[..width].fill(1.0);
+        }
+        let groups = ((1_u32 << width.div_ceil(LANES)) - 1) as u8;
+        Self { planes, open: std::array::from_fn(|row| if row < height { groups } else { 0 }) }
     }
 
     /// One row.
@@ -36,12 +42,22 @@ impl Tile {
         })
     }
 
-    /// The most that gets through any pixel of the part within the picture.
-    pub fn most_through(&self, rect: TileRect) -> f32 {
-        let rows = self.planes[3].chunks(TILE / LANES).take(rect.height as usize);
-        let groups = rows.flat_map(|row| &row[..(rect.width as usize).div_ceil(LANES)]);
-        let most = groups.fold([0.0_f32; LANES], |most, group| std::array::from_fn(|i| most[i].max(group[i])));
-        most.into_iter().fold(0.0, f32::max)
+    /// Whether nothing more would show.
+    pub fn is_done(&self) -> bool {
+        self.open == [0; TILE]
+    }
+
+    /// The bits of the row's groups that hold some of these pixels and are open.
+    #[inline(always)]
+    pub fn open_groups(&self, row: usize, span: &std::ops::Range<usize>) -> u32 {
+        let (first, last) = (span.start / LANES, (span.end - 1) / LANES);
+        u32::from(self.open[row]) & (u32::MAX << first) & !(u32::MAX << (last + 1))
+    }
+
+    /// Nothing more gets through a group.
+    #[inline(always)]
+    pub fn close(&mut self, row: usize, group: usize) {
+        self.open[row] &= !(1 << group);
     }
 }
 
@@ -81,72 +97,107 @@ impl<'a> Brush<'a> {
     }
 
     fn draw_one_by_one(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
-        for (row, span) in spans(sprite, rect) {
-            for x in span {
-                let (group, lane) = ((row * TILE + x) / LANES, x % LANES);
-                let through = tile.planes[3][group][lane];
-                if through < stop_below {
-                    continue;
+        for (row, span) in Spans::new(sprite, rect).rows() {
+            for group in bits(tile.open_groups(row, &span)) {
+                for x in (group * LANES..(group + 1) * LANES).filter(|x| span.contains(x)) {
+                    let (pixel_x, pixel_y) = (rect.left as f32 + x as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
+                    let fragment = sprite.fragment(self.atlas, pixel_x, pixel_y, |_| sprite.mip);
+                    let Some((fragment, _)) = fragment else { continue };
+                    let at = row * TILE / LANES + group;
+                    let through = tile.planes[3][at][x % LANES];
+                    for (c, value) in [fragment.r, fragment.g, fragment.b, -fragment.a].into_iter().enumerate() {
+                        tile.planes[c][at][x % LANES] += through * value;
+                    }
                 }
-                let (pixel_x, pixel_y) = (rect.left as f32 + x as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
-                let Some((fragment, _)) = sprite.fragment(self.atlas, pixel_x, pixel_y, |_| sprite.mip) else {
-                    continue;
-                };
-                for (c, value) in [fragment.r, fragment.g, fragment.b, -fragment.a].into_iter().enumerate() {
-                    tile.planes[c][group][lane] += through * value;
+                if tile.planes[3][row * TILE / LANES + group].iter().all(|through| *through < stop_below) {
+                    tile.close(row, group);
                 }
             }
         }
     }
 }
 
-/// The rows of a tile in which a sprite shows, each with the pixels from first to last whose centres lie in the covered
-/// part of its quad and beyond the near plane.
+/// The numbers of the bits that are set, lowest first.
+#[inline(always)]
+pub fn bits(mut set: u32) -> impl Iterator<Item = usize> {
+    std::iter::from_fn(move || {
+        let bit = set.trailing_zeros();
+        set &= set.wrapping_sub(1);
+        (bit < 32).then_some(bit as usize)
+    })
+}
+
+/// Where in each row of a tile a sprite may show: the pixels whose centres lie in the covered part of its quad and
+/// beyond the near plane.
 ///
 /// Every side of that part is a line on the screen where a linear function changes sign, so a row's span is the
-/// intersection of half-lines.
-pub fn spans(sprite: &ScreenSprite, rect: TileRect) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
-    let Linear { at_anchor, dx, dy } = sprite.denominator;
-    // Coordinate ≥ edge, or ≤ edge, times the positive denominator; depth / denominator ≥ NEAR likewise.
-    let from = |a: Linear, edge: f32| Linear {
-        at_anchor: a.at_anchor - edge * at_anchor,
-        dx: a.dx - edge * dx,
-        dy: a.dy - edge * dy,
-    };
-    let upto = |a: Linear, edge: f32| Linear {
-        at_anchor: edge * at_anchor - a.at_anchor,
-        dx: edge * dx - a.dx,
-        dy: edge * dy - a.dy,
-    };
-    let depth = Linear { at_anchor: sprite.depth, dx: 0.0, dy: 0.0 };
-    let [left, top, right, bottom] = sprite.covered;
-    let always = Linear { at_anchor: 0.0, dx: 0.0, dy: 0.0 };
-    let whole = sprite.outline.is_some();
-    let sides = [
-        from(sprite.u, left),
-        upto(sprite.u, right),
-        from(sprite.v, top),
-        upto(sprite.v, bottom),
-        if whole { always } else { sprite.denominator },
-        if whole { always } else { from(depth, NEAR_M) },
-    ];
-    let inverse_dx = sides.map(|side| 1.0 / side.dx);
-    let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
-    let first_row = (sprite.bounds[1] - rect.top as f32 - 0.5).max(0.0) as usize;
-    let last_row = ((sprite.bounds[3] - rect.top as f32 + 0.5).max(0.0) as usize).min(rect.height as usize);
-    (first_row..last_row).filter_map(move |row| {
-        let y = first_y + row as f32;
-        let (mut from, mut to) = (0.0_f32, rect.width as f32 - 1.0);
-        for (side, inverse_dx) in sides.iter().zip(inverse_dx) {
-            let here = side.at(first_x, y);
+/// intersection of half-lines, and each end moves evenly from row to row.
+pub struct Spans {
+    from: [f32; TILE],
+    to: [f32; TILE],
+    rows: std::ops::Range<usize>,
+}
+
+impl Spans {
+    #[inline(always)]
+    pub fn new(sprite: &ScreenSprite, rect: TileRect) -> Self {
+        let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
+        let row_at = |y: f32| ((y - rect.top as f32).max(0.0) as usize).min(rect.height as usize);
+        let rows = row_at(sprite.bounds[1] - 0.5)..row_at(sprite.bounds[3] + 0.5);
+        let mut spans = Self { from: [0.0; TILE], to: [rect.width as f32 - 1.0; TILE], rows };
+
+        let Linear { at_anchor, dx, dy } = sprite.denominator;
+        // Coordinate ≥ edge, or ≤ edge, times the positive denominator; depth / denominator ≥ NEAR likewise.
+        let least = |a: Linear, edge: f32| Linear {
+            at_anchor: a.at_anchor - edge * at_anchor,
+            dx: a.dx - edge * dx,
+            dy: a.dy - edge * dy,
+        };
+        let most = |a: Linear, edge: f32| {
+            let Linear { at_anchor, dx, dy } = least(a, edge);
+            Linear { at_anchor: -at_anchor, dx: -dx, dy: -dy }
+        };
+        let both = |sign: f32| Linear {
+            at_anchor: sprite.u.at_anchor + sign * sprite.v.at_anchor,
+            dx: sprite.u.dx + sign * sprite.v.dx,
+            dy: sprite.u.dy + sign * sprite.v.dy,
+        };
+        for (coordinate, [from, to]) in [sprite.u, sprite.v, both(1.0), both(-1.0)].into_iter().zip(sprite.covered) {
+            spans.cut(least(coordinate, from), first_x, first_y);
+            spans.cut(most(coordinate, to), first_x, first_y);
+        }
+        if sprite.outline.is_none() {
+            spans.cut(sprite.denominator, first_x, first_y);
+            spans.cut(least(Linear { at_anchor: sprite.depth, dx: 0.0, dy: 0.0 }, NEAR_M), first_x, first_y);
+        }
+        spans
+    }
+
+    /// Keeps what lies where `side` is not negative.
+    #[inline(always)]
+    fn cut(&mut self, side: Linear, first_x: f32, first_y: f32) {
+        let at_first = side.at(first_x, first_y);
+        let inverse = -1.0 / side.dx;
+        let (start, step) = (at_first * inverse, side.dy * inverse);
+        for row in 0..TILE {
+            let end = start + row as f32 * step;
             if side.dx > 0.0 {
-                from = from.max(-here * inverse_dx);
+                self.from[row] = self.from[row].max(end);
             } else if side.dx < 0.0 {
-                to = to.min(-here * inverse_dx);
-            } else if here < 0.0 {
-                return None;
+                self.to[row] = self.to[row].min(end);
+            } else if at_first + row as f32 * side.dy < 0.0 {
+                self.to[row] = -1.0;
             }
         }
-        (from <= to).then(|| (row, from.ceil() as usize..to as usize + 1)).filter(|(_, span)| !span.is_empty())
-    })
+    }
+
+    /// The rows in which something shows, each with its pixels.
+    #[inline(always)]
+    pub fn rows(&self) -> impl Iterator<Item = (usize, std::ops::Range<usize>)> {
+        self.rows.clone().filter_map(|row| {
+            let (from, to) = (self.from[row], self.to[row]);
+            let span = from.ceil() as usize..(to + 1.0) as usize;
+            (from <= to && !span.is_empty()).then_some((row, span))
+        })
+    }
 }

@@ -1,15 +1,17 @@
 //! The atlas as the fast CPU renderer reads it: one load fetches a whole bilinear footprint.
 //!
-//! Each texel of a channel is stored with its right, lower and diagonal neighbours in one u32, and two channels lie
-//! side by side in one u64. Tables have one length, a power of two, so that a masked index needs no bounds check.
+//! Each entry holds two channels of a texel and of the one below it, four bytes; so the eight bytes from an entry on are
+//! two by two texels of two channels. Half the size of entries with all four neighbours: what counts here is how much of
+//! a tile the nearest cache holds. Tables have one length, a power of two and one, so that a masked index needs no bounds
+//! check.
 
 use super::{Atlas, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
 
 /// Texels of all levels of a tile: 128² + 64² + 32² + 16² + 8², rounded up to a power of two.
 pub const TABLE: usize = 32_768;
-/// Low half alpha and high half red, or low half green and high half blue; in each half, from the lowest byte: the
-/// texel, its right, its lower, its diagonal neighbour.
-pub type FootprintTable = [u64; TABLE];
+/// From the lowest byte: the first channel of a texel and of the one below it, the second channel of both. One entry more
+/// than [`TABLE`], for the right neighbour of the last.
+pub type FootprintTable = [u32; TABLE + 1];
 
 /// Where each level begins in a table.
 pub const LEVEL_START: [usize; MIP_LEVELS] = level_starts();
@@ -35,8 +37,8 @@ pub struct Footprints {
 
 impl Footprints {
     pub(super) fn new(atlas: &Atlas) -> Self {
-        let tables = |low: usize, high: usize| (0..TILES).map(|tile| table(atlas, tile, low, high)).collect();
-        Self { alpha_red: tables(3, 0), green_blue: if atlas.is_grey() { Vec::new() } else { tables(1, 2) } }
+        let tables = |channels| (0..TILES).map(|tile| table(atlas, tile, channels)).collect();
+        Self { alpha_red: tables([3, 0]), green_blue: if atlas.is_grey() { Vec::new() } else { tables([1, 2]) } }
     }
 
     /// Alpha and red of a tile.
@@ -50,20 +52,20 @@ impl Footprints {
     }
 }
 
-fn table(atlas: &Atlas, tile: usize, low: usize, high: usize) -> Box<FootprintTable> {
-    let mut entries = vec![0_u64; TABLE];
+fn table(atlas: &Atlas, tile: usize, [first, second]: [usize; 2]) -> Box<FootprintTable> {
+    let mut entries = vec![0; TABLE + 1];
     for (mip, start) in LEVEL_START.into_iter().enumerate() {
         let level = atlas.level(tile, mip);
         for i in 0..level.size * level.size {
-            entries[start + i] = u64::from(footprint(level, i, low)) | (u64::from(footprint(level, i, high)) << 32);
+            entries[start + i] = footprint(level, i, [first, second]);
         }
     }
-    entries.into_boxed_slice().try_into().unwrap_or_else(|_| Box::new([0; TABLE]))
+    entries.into_boxed_slice().try_into().unwrap_or_else(|_| Box::new([0; TABLE + 1]))
 }
 
-fn footprint(level: &TileLevel, i: usize, channel: usize) -> u32 {
-    let last = level.size - 1;
-    let (x, y) = (i % level.size, i / level.size);
-    let at = |x: usize, y: usize| level.texels[y.min(last) * level.size + x.min(last)][channel];
-    u32::from_le_bytes([at(x, y), at(x + 1, y), at(x, y + 1), at(x + 1, y + 1)])
+fn footprint(level: &TileLevel, i: usize, [first, second]: [usize; 2]) -> u32 {
+    let here = level.texels[i];
+    // Below the last row there is nothing; what is read there is weighed with 0.
+    let below = level.texels.get(i + level.size).copied().unwrap_or_default();
+    u32::from_le_bytes([here[first], below[first], here[second], below[second]])
 }

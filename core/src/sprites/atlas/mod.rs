@@ -35,8 +35,8 @@ pub struct TileLevel {
     pub size: usize,
     /// Premultiplied RGBA, `size` × `size`, top row first.
     pub texels: Vec<[u8; 4]>,
-    /// Least u and v, greatest u and v: filtered texels beyond are clear.
-    pub covered: [f32; 4],
+    /// Least and greatest u, v, u + v and u − v: filtered texels beyond are clear.
+    pub covered: [[f32; 2]; 4],
 }
 
 /// Why a picture can't be an atlas.
@@ -181,18 +181,20 @@ impl Plane {
     }
 }
 
-/// Around the texels that are not clear, with the reach of a bilinear filter; nothing for a clear tile.
-fn covered(size: usize, texels: &[[u8; 4]]) -> [f32; 4] {
-    let shown = || (0..texels.len()).filter(|i| texels[*i] != [0; 4]);
-    let (columns, rows) = (|| shown().map(|i| i % size), || shown().map(|i| i / size));
-    let (Some(left), Some(right), Some(top), Some(bottom)) =
-        (columns().min(), columns().max(), rows().min(), rows().max())
-    else {
-        return [0.0; 4];
+/// The octagon around the texels that are not clear, with the reach of a bilinear filter: half a texel before a texel's
+/// edges and half a texel behind. A clear tile covers a point.
+fn covered(size: usize, texels: &[[u8; 4]]) -> [[f32; 2]; 4] {
+    let shown = || (0..texels.len()).filter(|i| texels[*i] != [0; 4]).map(|i| ((i % size) as f32, (i / size) as f32));
+    let range = |along: fn((f32, f32)) -> f32, before: f32, after: f32| {
+        let ends = shown().map(along).map(|at| (at, at)).reduce(|(low, high), (at, _)| (low.min(at), high.max(at)));
+        ends.map_or([0.0; 2], |(low, high)| [(low - before) / size as f32, (high + after) / size as f32])
     };
-    let before = |texel: usize| ((texel as f32 - 0.5) / size as f32).max(0.0);
-    let after = |texel: usize| ((texel as f32 + 1.5) / size as f32).min(1.0);
-    [before(left), before(top), after(right), after(bottom)]
+    [
+        range(|(x, _)| x, 0.5, 1.5),
+        range(|(_, y)| y, 0.5, 1.5),
+        range(|(x, y)| x + y, 1.0, 3.0),
+        range(|(x, y)| x - y, 2.0, 2.0),
+    ]
 }
 
 #[cfg(test)]

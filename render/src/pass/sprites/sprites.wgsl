@@ -73,11 +73,14 @@ fn project(point: vec3f) -> vec4f {
     return vec4f(on_plane * to_clip, depth - frame.near_m, depth);
 }
 
-// log₂ of the tile's texels that fall on a pixel, within the levels there are.
+// log₂ of the tile's texels that fall on a pixel, sharpened, within the levels there are.
 fn mip_level(center: vec3f, sprite: Sprite) -> f32 {
     let depth = max(dot(center, frame.forward_in_world), frame.near_m);
     let texels = TILE_SIZE * depth * frame.pixel / sqrt(sprite.width * sprite.height);
-    return clamp(log2(texels), 0.0, LAST_MIP);
+    let mip = log2(texels);
+    let level = floor(mip);
+    let sharpened = level + clamp(2.0 * (mip - level) - 0.5, 0.0, 1.0);
+    return clamp(sharpened, 0.0, LAST_MIP);
 }
 
 struct Facing {
