@@ -60,17 +60,16 @@ pub fn eye_offset(cloud: &PlacedCloud, view: &View) -> Vec3 {
 
 /// Sorts `sprites`, which stand in order of cloud and sprite index, farthest first; equally far ones stay in order.
 pub fn sort_back_to_front(sprites: &mut Vec<DrawSprite>) {
-    let keys =
-        sprites.iter().enumerate().map(|(index, sprite)| far_first_key(sprite.center.length_squared(), index as u32));
-    let mut keys: Vec<u64> = keys.collect();
-    keys.par_sort_unstable();
-    *sprites = keys.into_iter().map(|key| sprites[key as u32 as usize]).collect();
+    let key = |(index, sprite): (usize, &DrawSprite)| (far_first(sprite.center.length_squared()), index as u32);
+    let mut order: Vec<(u32, u32)> = sprites.iter().enumerate().map(key).collect();
+    // A radix sort keeps equal keys in order.
+    radsort::sort_by_key(&mut order, |(key, _)| *key);
+    *sprites = order.into_par_iter().map(|(_, index)| sprites[index as usize]).collect();
 }
 
-/// Rises as the distance falls, then with the index. The bits of non-negative floats are ordered as the floats are,
-/// infinity and NaN last.
-fn far_first_key(distance_squared: f32, index: u32) -> u64 {
-    (u64::from(!distance_squared.to_bits()) << 32) | u64::from(index)
+/// Rises as the distance falls. The bits of non-negative floats are ordered as the floats are, infinity and NaN beyond.
+fn far_first(distance_squared: f32) -> u32 {
+    !distance_squared.to_bits()
 }
 
 #[cfg(test)]
