@@ -21,6 +21,8 @@ pub fn sprite_constants() -> Vec<(&'static str, f64)> {
         ("GROUP_TEXELS", texels(size_of::<cloud_data::GroupTexels>())),
         ("CLOUD_TEXELS", texels(size_of::<cloud_data::CloudTexels>())),
         ("TILE_SIZE", cloudwright_core::sprites::TILE_SIZE as f64),
+        ("GLOW_KEPT", f64::from(cloudwright_core::sky::GLOW_KEPT)),
+        ("GLOW_FROM_COSINE", f64::from(cloudwright_core::sky::GLOW_FROM_COSINE)),
         ("HAZE_GLOW_COSINE", f64::from(cloudwright_core::sky::HAZE_GLOW_COSINE)),
         ("LAST_MIP", (cloudwright_core::sprites::MIP_LEVELS - 1) as f64),
     ]

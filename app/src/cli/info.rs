@@ -36,6 +36,8 @@ struct Counts {
 #[derive(Serialize)]
 struct Total {
     clouds: usize,
+    /// Each model's as often as it is placed.
+    boxes: usize,
     sprites_tried: usize,
     sprites: usize,
     groups: usize,
@@ -109,6 +111,7 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> Counts {
         cameras: scene.cameras.iter().map(|camera| camera.name.clone()).collect(),
         total: Total {
             clouds: clouds.len(),
+            boxes: clouds.iter().map(|cloud| cloud.boxes).sum(),
             sprites_tried: clouds.iter().map(|cloud| cloud.sprites_tried).sum(),
             sprites: clouds.iter().map(|cloud| cloud.sprites).sum(),
             groups: clouds.iter().map(|cloud| cloud.groups).sum(),
@@ -129,7 +132,7 @@ fn as_text(counts: &Counts) -> String {
         let bounds = in_words(*bounds);
         let _ = writeln!(out, "{name:<24} {boxes:>6} {sprites_tried:>8} {sprites:>8} {groups:>6}  {bounds}");
     }
-    let Total { sprites_tried, sprites, groups, bounds, .. } = total;
+    let Total { boxes, sprites_tried, sprites, groups, bounds, .. } = total;
     let bounds = in_words(*bounds);
     let _ = writeln!(out, "{:<24} {boxes:>6} {sprites_tried:>8} {sprites:>8} {groups:>6}  {bounds}", "total");
     out

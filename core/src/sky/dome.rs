@@ -9,8 +9,13 @@ use hw_skymodel::rgb::{SkyParams, SkyState};
 const SCENE_UNIT: f32 = 0.045;
 /// Sine of the elevation from which haze takes its colour, and below which the dome stays as it is there.
 pub const HORIZON_SINE: f32 = 0.03;
-/// Haze takes no more of the sun's glow than there is at this angle from it, 35°.
-pub const HAZE_GLOW_COSINE: f32 = 0.819_152;
+/// Haze takes no more of the sun's glow than there is at this angle from it, 25°.
+pub const HAZE_GLOW_COSINE: f32 = 0.906_308;
+/// Share of the sky's radiance that is kept at the sun itself, and the cosine of the angle from it, 55°, from which it
+/// begins to be less than all.
+pub const GLOW_KEPT: f32 = 0.40;
+/// See [`GLOW_KEPT`].
+pub const GLOW_FROM_COSINE: f32 = 0.573_576;
 /// Cosines of the angle from the sun's middle between which its disc fades out (0.30° and 0.24°).
 pub const SUN_DISC_COSINES: [f32; 2] = [0.999_986_3, 0.999_991_2];
 /// The disc's radiance in units of the directional light. The true ratio would be some 10⁴; a display shows white.
@@ -79,7 +84,7 @@ impl Dome {
             let p = &self.parameters[c];
             around_zenith(p, cos_theta) * (around_sun(p, gamma, cos_gamma) + p[7] * cos_theta.sqrt())
         };
-        self.scale * Rgb::new(channel(0), channel(1), channel(2))
+        self.scale * glow_kept(cos_gamma) * Rgb::new(channel(0), channel(1), channel(2))
     }
 
     /// Cosines of the angles from the zenith and from the sun, for a direction lifted to the horizon.
@@ -95,6 +100,13 @@ impl Dome {
 /// degree wide.
 fn cosine_between(a: Vec3, b: Vec3) -> f32 {
     1.0 - 0.5 * (a - b).length_squared()
+}
+
+/// How much of the model is kept around the sun. There it is brighter than white over a third of a picture, where a
+/// camera would close its iris.
+fn glow_kept(cos_gamma: f32) -> f32 {
+    let near = ((cos_gamma - GLOW_FROM_COSINE) / (1.0 - GLOW_FROM_COSINE)).max(0.0);
+    1.0 - (1.0 - GLOW_KEPT) * near * near
 }
 
 /// 1 + A·exp(B / (cos θ + 0.01)).
@@ -212,7 +224,7 @@ impl DomeTables {
         let (from, to) = (&self.elevation[i], &self.elevation[i + 1]);
         let (j, s) = split(acos_near(cos_gamma) * std::f32::consts::FRAC_1_PI);
         let sun = self.sun_angle[j].mix(self.sun_angle[j + 1], s);
-        from[0].mix(to[0], t) * (sun + from[1].mix(to[1], t))
+        from[0].mix(to[0], t) * glow_kept(cos_gamma) * (sun + from[1].mix(to[1], t))
     }
 }
 
@@ -248,7 +260,7 @@ mod tests {
         let params = SkyParams { elevation: 0.5, turbidity: 2.5, albedo: [0.1; 3] };
         let state = SkyState::new(&params).expect("in range");
         let dome = dome(0.5_f32.to_degrees());
-        let direction = Vec3::new(0.3, 0.6, -0.2).normalize();
+        let direction = Vec3::new(0.9, 0.6, 0.4).normalize();
         let theirs =
             state.radiance(direction.y.acos(), direction.dot(dome.sun_direction).acos(), hw_skymodel::rgb::Channel::G);
         let ours = dome.radiance(direction).g / SCENE_UNIT / grade(0.5_f32.to_degrees()).g;

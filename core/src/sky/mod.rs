@@ -9,7 +9,7 @@ mod dome;
 mod ground;
 mod rows;
 
-pub use dome::{Dome, DomeTables, HAZE_GLOW_COSINE, HORIZON_SINE, SUN_DISC_COSINES};
+pub use dome::{Dome, DomeTables, GLOW_FROM_COSINE, GLOW_KEPT, HAZE_GLOW_COSINE, HORIZON_SINE, SUN_DISC_COSINES};
 pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook};
 pub use rows::BackgroundRows;
 

@@ -2,7 +2,16 @@
 // The twin of core/src/sky/dome.rs, by its formulas and not its tables.
 
 // Haze takes no more of the sun's glow than there is at this angle from it.
-const HAZE_GLOW_COSINE: f32 = 0.819152;
+const HAZE_GLOW_COSINE: f32 = 0.906308;
+
+// How much of the model is kept around the sun.
+const GLOW_KEPT: f32 = 0.4;
+const GLOW_FROM_COSINE: f32 = 0.573576;
+
+fn glow_kept(cos_gamma: f32) -> f32 {
+    let near = max((cos_gamma - GLOW_FROM_COSINE) / (1.0 - GLOW_FROM_COSINE), 0.0);
+    return 1.0 - (1.0 - GLOW_KEPT) * near * near;
+}
 
 // 1 + A exp(B / (cos theta + 0.01)).
 fn around_zenith(cos_theta: f32) -> vec3f {
@@ -36,7 +45,7 @@ fn cosine_to_glow(direction: vec3f) -> f32 {
 
 fn distribution(cos_theta: f32, cos_gamma: f32) -> vec3f {
     let i_term = frame.dome_parameters[7].rgb * sqrt(cos_theta);
-    return frame.dome_scale * (around_zenith(cos_theta) * (around_sun(cos_gamma) + i_term));
+    return frame.dome_scale * glow_kept(cos_gamma) * (around_zenith(cos_theta) * (around_sun(cos_gamma) + i_term));
 }
 
 // Radiance of sky and sun in a unit direction. The cosine to the sun is 1 − |d − s|²/2: the plain dot product of
