@@ -4,7 +4,7 @@
 //! [`Derived::work_done`] counts, so that tests can prove it.
 
 use crate::document::Change;
-use crate::scene::{CloudModel, ModelId, Scene};
+use crate::scene::{Cloud, CloudModel, ModelId, Scene};
 use crate::sprites::{PlacedCloud, PopulatedModel, place, populate};
 use crate::version::Version;
 use rayon::prelude::*;
@@ -16,7 +16,7 @@ use std::sync::Arc;
 pub struct Derived {
     clouds: Vec<PlacedCloud>,
     version: Version,
-    populated: FxHashMap<(ModelId, u64), (CloudModel, Arc<PopulatedModel>)>,
+    populated: FxHashMap<(ModelId, u64), (Arc<CloudModel>, Arc<PopulatedModel>)>,
     work: WorkDone,
 }
 
@@ -59,7 +59,11 @@ impl Derived {
 
     /// Recomputes what `change` touched in `scene`, which is the scene after the change.
     pub fn update(&mut self, scene: &Scene, change: &Change) {
-        self.populate_stale(scene);
+        if !change.touches_sprites() {
+            return;
+        }
+        let models: FxHashMap<ModelId, &CloudModel> = scene.models.iter().map(|model| (model.id, model)).collect();
+        self.populate_stale(scene, &models, change);
         let ground = scene.ground.as_ref().map(|ground| ground.altitude_m);
         let count_before = self.clouds.len();
         let mut before: FxHashMap<_, _> =
@@ -76,7 +80,7 @@ impl Derived {
                 if let (false, Some(old)) = (stale, old) {
                     return Some((false, old));
                 }
-                let (model, sprites) = self.populated.get(&(cloud.model, seed_of(scene, cloud)?))?;
+                let (model, sprites) = self.populated.get(&(cloud.model, seed_of(&models, cloud)?))?;
                 Some((true, place(cloud, model, sprites, ground)))
             })
             .collect();
@@ -89,29 +93,43 @@ impl Derived {
     }
 
     /// Populates the models and seeds in use whose boxes, culling, category or seed are not what they were.
-    fn populate_stale(&mut self, scene: &Scene) {
+    fn populate_stale(&mut self, scene: &Scene, models: &FxHashMap<ModelId, &CloudModel>, change: &Change) {
         let mut before = std::mem::take(&mut self.populated);
         let mut wanted: Vec<(ModelId, u64)> =
-            scene.clouds.iter().filter_map(|cloud| Some((cloud.model, seed_of(scene, cloud)?))).collect();
+            scene.clouds.iter().filter_map(|cloud| Some((cloud.model, seed_of(models, cloud)?))).collect();
         wanted.sort_unstable();
         wanted.dedup();
-        let fresh: Vec<_> = wanted
-            .into_iter()
-            .filter_map(|key| Some((key, scene.model(key.0)?, before.remove(&key))))
-            .collect::<Vec<_>>()
+        // One copy of a touched model for all its seeds.
+        let mut copies: FxHashMap<ModelId, Arc<CloudModel>> = FxHashMap::default();
+        let mut copy =
+            |model: &CloudModel| Arc::clone(copies.entry(model.id).or_insert_with(|| Arc::new(model.clone())));
+        let mut fresh = Vec::new();
+        for key in wanted {
+            let Some(model) = models.get(&key.0) else { continue };
+            match before.remove(&key) {
+                Some(kept) if !change.touches_model(key.0) => {
+                    self.populated.insert(key, kept);
+                }
+                Some((old, sprites)) if same_sprites(&old, model) => {
+                    self.populated.insert(key, (copy(model), sprites));
+                }
+                _ => fresh.push((key, copy(model))),
+            }
+        }
+        self.work.models_populated += fresh.len() as u64;
+        let populated: Vec<_> = fresh
             .into_par_iter()
-            .map(|(key, model, old)| match old {
-                Some((old_model, sprites)) if same_sprites(&old_model, model) => (false, key, (model.clone(), sprites)),
-                _ => (true, key, (model.clone(), Arc::new(populate(model, key.1)))),
+            .map(|(key, model)| {
+                let sprites = Arc::new(populate(&model, key.1));
+                (key, (model, sprites))
             })
             .collect();
-        self.work.models_populated += fresh.iter().filter(|(new, ..)| *new).count() as u64;
-        self.populated = fresh.into_iter().map(|(_, key, value)| (key, value)).collect();
+        self.populated.extend(populated);
     }
 }
 
-fn seed_of(scene: &Scene, cloud: &crate::scene::Cloud) -> Option<u64> {
-    Some(cloud.seed.unwrap_or(scene.model(cloud.model)?.seed))
+fn seed_of(models: &FxHashMap<ModelId, &CloudModel>, cloud: &Cloud) -> Option<u64> {
+    Some(cloud.seed.unwrap_or(models.get(&cloud.model)?.seed))
 }
 
 /// Whether two states of a model give the same sprites, whatever their colours and groups' light.

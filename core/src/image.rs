@@ -38,6 +38,7 @@ pub struct Picture {
 impl LinearPicture {
     /// Each `side` × `side` pixels averaged into one, in linear light; a rest at the right and lower edge is left out.
     pub fn reduced(&self, side: u32) -> Self {
+        let side = side.max(1);
         let (width, height) = (self.width / side, self.height / side);
         let mean = |x: u32, y: u32| {
             let block = (0..side * side)

@@ -49,8 +49,9 @@ parameters! {
     SPRITE_SIZE: "width", "Sprite size", "m", 0.001 ..= 1e5, 200.0, "Range of the sprites' width or height.";
     ROTATION_DEG: "rotation_deg", "Rotation", "°", -360.0 ..= 360.0, 0.0, "Range of the sprites' own turn, counter-clockwise as seen.";
     LUMPS: "lumps", "Lumps", "", 1.0 ..= 16.0, 1.0, "Into how many lumps, along each axis, the box's sprites are split for shading.";
-    CULL_FRACTION: "cull_radius", "Cull radius", "", 0.0 ..= 10.0, 0.333, "Sprites nearer than this share of the size to one already kept are dropped.";
+    CULL_FRACTION: "cull_radius", "Cull radius", "", 0.0 ..= 10.0, 0.3333333333333333, "Sprites nearer than this share of the size to one already kept are dropped.";
     CULL_METRES: "cull_radius.metres", "Cull radius", "m", 0.0 ..= 1e5, 60.0, "Sprites nearer than this to one already kept are dropped.";
+    SPRITE_PLACE: "moved", "Place in the box", "", -1000.0 ..= 1000.0, 0.0, "Where a hand-moved sprite lies: −½ to ½ is within the box.";
     C_MIN: "c_min", "Away from the sun", "", -4.0 ..= 4.0, 0.0, "Share of the directional light on the side away from the sun.";
     C_MED: "c_med", "Across", "", -4.0 ..= 4.0, 0.42, "Share of the directional light at right angles to the sun.";
     C_MAX: "c_max", "Towards the sun", "", -4.0 ..= 4.0, 1.0, "Share of the directional light on the side that faces the sun.";
@@ -63,7 +64,7 @@ parameters! {
     PITCH_DEG: "pitch_deg", "Pitch", "°", -90.0 ..= 90.0, 0.0, "Up is positive.";
     ROLL_DEG: "roll_deg", "Roll", "°", -360.0 ..= 360.0, 0.0, "Right wing down is positive.";
     FIELD_OF_VIEW_DEG: "field_of_view_deg", "Field of view", "°", 0.1 ..= 170.0, 50.0, "Vertical field of view.";
-    TIME_OF_DAY_H: "time_of_day_h", "Time of day", "h", 0.0 ..= 23.999999, 12.0, "Local civil time, 0 to 24, without 24 itself.";
+    TIME_OF_DAY_H: "time_of_day_h", "Time of day", "h", 0.0 ..= 23.999999999, 12.0, "Local civil time, 0 to 24, without 24 itself.";
     LATITUDE_DEG: "latitude_deg", "Latitude", "°", -90.0 ..= 90.0, 47.5, "North is positive.";
     LONGITUDE_DEG: "longitude_deg", "Longitude", "°", -180.0 ..= 180.0, -122.3, "East is positive.";
     UTC_OFFSET_H: "utc_offset_h", "UTC offset", "h", -14.0 ..= 14.0, -7.0, "Hours that local time is ahead of UTC.";

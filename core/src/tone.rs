@@ -89,8 +89,12 @@ mod tests {
             let x = i as f32 * 0.01;
             let slope = (tone_curve(x + 0.001) - tone_curve(x)) / 0.001;
             assert!((0.0..=1.001).contains(&slope), "at {x}: {slope}");
+            // The slope falls from 1 by at most 1/0.3 of itself for each unit: no kink.
+            let next = (tone_curve(x + 0.011) - tone_curve(x + 0.01)) / 0.001;
+            assert!((slope - next).abs() < 0.04, "at {x}: {slope}, then {next}");
         }
-        assert!(tone_curve(1e9) <= 1.0);
+        assert_eq!(tone_curve(0.5), 0.5);
+        assert!(tone_curve(3.0) > 0.99 && tone_curve(1e9) <= 1.0);
         assert_eq!(encode(Rgb::new(f32::NAN, 1e30, -3.0), 0, 0)[..3], [0, 255, 0]);
     }
 

@@ -122,7 +122,7 @@ impl CloudData {
 }
 
 fn sprite_texels(sprite: &Sprite, first_group: u32) -> SpriteTexels {
-    let (sin_rotation, cos_rotation) = sprite.rotation.sin_cos();
+    let (sin_rotation, cos_rotation) = libm::sincosf(sprite.rotation);
     SpriteTexels {
         position: sprite.position.to_array(),
         width: sprite.width,

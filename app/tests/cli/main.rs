@@ -57,7 +57,12 @@ impl Place {
 
     /// Runs `cloudwright` here; `words` are split at spaces.
     fn run(&self, words: &str) -> Ran {
-        cloudwright(self.folder.path(), words)
+        cloudwright(self.folder.path(), words, &[])
+    }
+
+    /// As [`Place::run`], on so many threads.
+    fn run_on(&self, threads: &str, words: &str) -> Ran {
+        cloudwright(self.folder.path(), words, &[("RAYON_NUM_THREADS", threads)])
     }
 
     /// As [`Place::run`], and the run must end with `code` and say each of `wanted` on stderr, and leave no file that
@@ -74,12 +79,13 @@ impl Place {
     }
 }
 
-fn cloudwright(folder: &Path, words: &str) -> Ran {
+fn cloudwright(folder: &Path, words: &str, variables: &[(&str, &str)]) -> Ran {
     let Output { status, stdout, stderr } = Command::new(env!("CARGO_BIN_EXE_cloudwright"))
         .args(words.split_whitespace())
         .current_dir(folder)
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY")
+        .envs(variables.iter().copied())
         .output()
         .expect("the binary runs");
     let text = |bytes| String::from_utf8(bytes).expect("text");

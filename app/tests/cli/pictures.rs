@@ -43,13 +43,25 @@ fn a_picture_of_the_size_asked_for() {
     assert_eq!(place.files(), ["good.cloudscene", "out.png"], "nothing else is left");
 }
 
+/// Twice, and on one thread and on two: byte for byte.
 #[test]
-fn the_same_scene_gives_the_same_file() {
+fn the_same_scene_gives_the_same_files() {
     let place = Place::new();
-    draw(&place, "--renderer cpu");
-    let first = place.read("out.png");
-    draw(&place, "--renderer cpu");
-    assert_eq!(place.read("out.png"), first);
+    for (file, words) in [
+        ("out.png", "render good.cloudscene --renderer cpu --size 200x120 -o"),
+        ("out.png", "render good.cloudscene --truth --samples 4 --size 64x36 -o"),
+        ("out.json", "export good.cloudscene --shaded --time 18:00 --camera main -o"),
+        ("out.csv", "export good.cloudscene -o"),
+    ] {
+        let written = |threads| {
+            let ran = place.run_on(threads, &format!("{words} {file}"));
+            assert_eq!(ran.code, 0, "{words}: {}", ran.stderr);
+            place.read(file)
+        };
+        let first = written("1");
+        assert!(first == written("1"), "{words}: another file the second time");
+        assert!(first == written("2"), "{words}: another file on two threads");
+    }
 }
 
 #[test]

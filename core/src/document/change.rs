@@ -19,6 +19,11 @@ impl Change {
         Self { everything: true, ..Self::default() }
     }
 
+    /// Whether anything that sprites are made from changed.
+    pub fn touches_sprites(&self) -> bool {
+        self.everything || self.ground || !self.models.is_empty() || !self.clouds.is_empty()
+    }
+
     /// Whether the cloud's placement changed.
     pub fn touches_cloud(&self, id: CloudId) -> bool {
         self.everything || self.clouds.contains(&id)

@@ -150,6 +150,9 @@ impl<T: HasId> ListEdit<T> {
         let found = list.iter().position(|value| value.id() == id);
         let missing = || EditError::NotFound { kind, id: id.to_string() };
         Ok(match self {
+            Self::Insert { .. } if found.is_some() => {
+                return Err(EditError::Taken { kind, id: id.to_string() });
+            }
             Self::Insert { at, value } => {
                 list.insert(at.min(list.len()), value);
                 Self::Remove(id)

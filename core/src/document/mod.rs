@@ -45,6 +45,14 @@ pub enum EditError {
         /// Its id.
         id: String,
     },
+    /// The thing to add has the id of one that is there.
+    #[error("there is a {kind} {id} in the scene already")]
+    Taken {
+        /// "cloud", "model", …
+        kind: &'static str,
+        /// Its id.
+        id: String,
+    },
     /// The transaction would have left the scene with faults that it did not have before.
     #[error("{}", .0.iter().map(Problem::to_string).collect::<Vec<_>>().join("; "))]
     Problems(Vec<Problem>),
@@ -176,9 +184,9 @@ impl Document {
         self.undone.last().map(|point| point.name.as_str())
     }
 
-    /// Says that the scene is saved as it is now.
+    /// Says that the scene is saved as it is now. With a transaction open, what was saved is no point of the history.
     pub fn mark_saved(&mut self) {
-        self.saved_at = Some(self.done.len());
+        self.saved_at = self.open.is_none().then_some(self.done.len());
     }
 
     /// Whether the scene differs from what was last saved.
@@ -251,6 +259,10 @@ mod tests {
         let start = document.scene().clone();
         let error = document.edit("Bad", [Edit::Name("x".into()), Edit::TimeOfDay(f64::NAN)]);
         assert!(matches!(error, Err(EditError::Problems(_))), "{error:?}");
+        assert_eq!(*document.scene(), start);
+        let taken = document.scene().cameras[0].clone();
+        let error = document.edit("Bad", [Edit::Camera(ListEdit::Insert { at: 0, value: taken })]);
+        assert!(matches!(error, Err(EditError::Taken { .. })), "{error:?}");
         assert_eq!(*document.scene(), start);
         let gone = ModelId::new(&mut IdCounter(99));
         let error = document.edit("Bad", [Edit::Name("x".into()), Edit::Model(ListEdit::Remove(gone))]);

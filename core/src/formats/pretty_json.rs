@@ -17,6 +17,25 @@ pub fn write(value: &Value) -> String {
     out
 }
 
+/// An object whose last field is a long list: written item by item, so that only one stands in memory as a tree.
+pub fn write_list(head: &[(&str, Value)], name: &str, items: impl Iterator<Item = Value>) -> String {
+    let mut out = String::from("{\n");
+    for (key, value) in head {
+        let _ = write!(out, "  {}: ", Value::from(*key));
+        write_value(value, 2, &mut out);
+        out.push_str(",\n");
+    }
+    let _ = write!(out, "  {}: [", Value::from(name));
+    let mut empty = true;
+    for item in items {
+        out.push_str(if empty { "\n    " } else { ",\n    " });
+        write_value(&item, 4, &mut out);
+        empty = false;
+    }
+    out.push_str(if empty { "]\n}\n" } else { "\n  ]\n}\n" });
+    out
+}
+
 fn write_value(value: &Value, indent: usize, out: &mut String) {
     if depth(value, 2) < 2 || matches!(value, Value::Object(map) if map.values().all(|v| depth(v, 2) < 2)) {
         let line = one_line(value);
@@ -73,10 +92,11 @@ fn depth(value: &Value, most: usize) -> usize {
 fn one_line(value: &Value) -> String {
     match value {
         Value::Array(items) => format!("[{}]", items.iter().map(one_line).collect::<Vec<_>>().join(", ")),
+        Value::Object(map) if map.is_empty() => "{}".into(),
         Value::Object(map) => {
             let fields: Vec<_> =
                 map.iter().map(|(key, item)| format!("{}: {}", Value::from(key.as_str()), one_line(item))).collect();
-            format!("{{ {} }}", fields.join(", ")).replace("{  }", "{}")
+            format!("{{ {} }}", fields.join(", "))
         }
         // Whole numbers without a fraction: 200, not 200.0.
         Value::Number(number) => match number.as_f64() {
@@ -92,12 +112,12 @@ mod tests {
     #[test]
     fn small_things_on_one_line() {
         let value = serde_json::json!({
-            "name": "a \"b\"",
+            "name": "a \"b\" {  }",
             "color": [0.5, 1.0, 2],
             "keys": [{ "hour": 1.0, "value": [1, 2, 3] }, { "hour": 2.5, "value": [] }],
             "none": {},
         });
-        let want = "{\n  \"name\": \"a \\\"b\\\"\",\n  \"color\": [0.5, 1, 2],\n  \"keys\": [\n    { \"hour\": 1, \"value\": [1, 2, 3] },\n    { \"hour\": 2.5, \"value\": [] }\n  ],\n  \"none\": {}\n}\n";
+        let want = "{\n  \"name\": \"a \\\"b\\\" {  }\",\n  \"color\": [0.5, 1, 2],\n  \"keys\": [\n    { \"hour\": 1, \"value\": [1, 2, 3] },\n    { \"hour\": 2.5, \"value\": [] }\n  ],\n  \"none\": {}\n}\n";
         assert_eq!(super::write(&value), want);
     }
 }

@@ -14,15 +14,6 @@ use glam::{DVec3, Vec3};
 use serde::Serialize;
 
 #[derive(Serialize)]
-struct File<'a> {
-    format: &'static str,
-    version: u32,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    light: Option<LightOut>,
-    clouds: Vec<CloudOut<'a>>,
-}
-
-#[derive(Serialize)]
 struct LightOut {
     time: String,
     sun_direction: [f64; 3],
@@ -88,18 +79,22 @@ struct CornerOut {
 /// # Errors
 /// None in practice: every number of a placed cloud is finite.
 pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> Result<String, serde_json::Error> {
-    let file = File {
-        format: "cloudwright-sprites",
-        version: 1,
-        light: shaded.map(|(_, light)| LightOut {
+    let mut head = vec![("format", "cloudwright-sprites".into()), ("version", 1.into())];
+    if let Some((_, light)) = shaded {
+        let light = LightOut {
             time: crate::math::clock(light.time_h),
             sun_direction: light.sun_direction.to_array().map(shortest_f64),
             ambient_max: light.ambient_max,
             directional_max: light.directional_max,
-        }),
-        clouds: clouds.iter().map(|cloud| cloud_out(cloud, shaded)).collect(),
-    };
-    Ok(pretty_json::write(&serde_json::to_value(file)?))
+        };
+        head.push(("light", serde_json::to_value(light)?));
+    }
+    let mut failure = None;
+    let clouds = clouds
+        .iter()
+        .map_while(|cloud| serde_json::to_value(cloud_out(cloud, shaded)).map_err(|error| failure = Some(error)).ok());
+    let text = pretty_json::write_list(&head, "clouds", clouds);
+    failure.map_or(Ok(text), Err)
 }
 
 fn cloud_out<'a>(cloud: &'a PlacedCloud, shaded: Option<(&View, &Light)>) -> CloudOut<'a> {
@@ -156,7 +151,7 @@ fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, view: &View,
     })
 }
 
-/// A point of the cloud in the world, to the millimetre that f32 holds within a cloud.
+/// A point of the cloud in the world, to a tenth of a millimetre: f32 holds no more within a cloud.
 fn in_world(cloud: &PlacedCloud, point: Vec3) -> DVec3 {
     let exact = cloud.origin + point.as_dvec3();
     (exact * 1e4).round() / 1e4

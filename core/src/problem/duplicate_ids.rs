@@ -3,9 +3,16 @@
 
 use super::Problem;
 use crate::scene::Scene;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+/// What JSON's readers hold exactly; a scene will not get that far by adding things.
+const LAST_ID: u64 = 1 << 53;
 
 pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+    if scene.next_id.0 > LAST_ID {
+        let message = format!("{} leaves no ids for new things", scene.next_id.0);
+        problems.push(Problem::error("next_id", message, "set it to one more than the largest id in the scene"));
+    }
     let mut check_kind = |ids: Vec<(u64, String)>| {
         let mut seen: BTreeMap<u64, String> = BTreeMap::new();
         for (id, place) in ids {
@@ -46,8 +53,9 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
             })
             .collect(),
     );
+    let mut names = BTreeSet::new();
     for (i, camera) in scene.cameras.iter().enumerate() {
-        if scene.cameras[..i].iter().any(|other| other.name == camera.name) {
+        if !names.insert(&camera.name) {
             problems.push(Problem::error(
                 format!("cameras[{i}].name"),
                 format!("another camera is called “{}” too", camera.name),
@@ -66,6 +74,9 @@ mod tests {
         let mut scene = sound_scene();
         scene.clouds.push(scene.clouds[0].clone());
         scene.cameras.push(scene.cameras[0].clone());
+        let mut last = scene.clone();
+        last.next_id.0 = u64::MAX;
+        assert_found(&last, "next_id", "no ids");
         scene.next_id.0 = 2;
         assert_found(&scene, "clouds[1].id", "taken already, at clouds[0].id");
         assert_found(&scene, "models[0].id", "next_id");

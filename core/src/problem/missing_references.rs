@@ -1,11 +1,13 @@
 //! What is named must exist: the models of clouds, the groups of boxes and sprites, the sprites that were edited.
 
 use super::Problem;
-use crate::scene::{CloudBox, CloudModel, GroupId, Scene};
+use crate::scene::{CloudBox, CloudModel, GroupId, ModelId, Scene};
+use std::collections::BTreeSet;
 
 pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+    let models: BTreeSet<ModelId> = scene.models.iter().map(|model| model.id).collect();
     for (i, cloud) in scene.clouds.iter().enumerate() {
-        if scene.model(cloud.model).is_none() {
+        if !models.contains(&cloud.model) {
             problems.push(Problem::error(
                 format!("clouds[{i}].model"),
                 format!("there is no model {}", cloud.model),
@@ -14,19 +16,25 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
         }
     }
     for (i, model) in scene.models.iter().enumerate() {
+        let groups: BTreeSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
         for (j, cloud_box) in model.boxes.iter().enumerate() {
-            check_box(&format!("models[{i}].boxes[{j}]"), model, cloud_box, problems);
+            check_box(&format!("models[{i}].boxes[{j}]"), (model, &groups), cloud_box, problems);
         }
     }
 }
 
-fn check_box(place: &str, model: &CloudModel, cloud_box: &CloudBox, problems: &mut Vec<Problem>) {
-    let missing = |id: &Option<GroupId>| id.filter(|id| model.groups.iter().all(|group| group.id != *id));
+fn check_box(
+    place: &str,
+    (model, ids): (&CloudModel, &BTreeSet<GroupId>),
+    cloud_box: &CloudBox,
+    problems: &mut Vec<Problem>,
+) {
+    let missing = |id: &Option<GroupId>| id.filter(|id| !ids.contains(id));
     let groups = || format!("the model's groups are {}", list(model.groups.iter().map(|g| g.id.to_string())));
     if let Some(id) = missing(&cloud_box.group) {
         problems.push(Problem::error(format!("{place}.group"), format!("there is no group {id}"), groups()));
     }
-    let mut seen = std::collections::BTreeSet::new();
+    let mut seen = BTreeSet::new();
     for (k, edit) in cloud_box.sprite_edits.iter().enumerate() {
         let place = format!("{place}.sprite_edits[{k}]");
         if let Some(id) = missing(&edit.group) {

@@ -78,6 +78,17 @@ pub fn check(scene: &Scene) -> Vec<Problem> {
     problems
 }
 
+/// The first two hundred, and how many more there are: a file can hold millions of faults.
+pub fn shortened(mut problems: Vec<Problem>) -> Vec<Problem> {
+    const MOST: usize = 200;
+    if problems.len() > MOST {
+        let more = problems.len() - MOST;
+        problems.truncate(MOST);
+        problems.push(Problem::error("…", format!("and {more} more"), "mend these first"));
+    }
+    problems
+}
+
 /// Every problem of `scene`, those of its sprites included: for a scene without errors.
 pub fn check_with_sprites(scene: &Scene, clouds: &[crate::sprites::PlacedCloud]) -> Vec<Problem> {
     let mut problems = check(scene);

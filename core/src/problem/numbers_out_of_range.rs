@@ -144,7 +144,7 @@ impl Walk<'_> {
             self.group_light(&format!("{place}.light"), &cloud_box.light);
             for (j, edit) in cloud_box.sprite_edits.iter().enumerate() {
                 if let Some(moved) = edit.moved {
-                    self.point(&format!("{place}.sprite_edits[{j}].moved"), &p::POSITION, moved);
+                    self.point(&format!("{place}.sprite_edits[{j}].moved"), &p::SPRITE_PLACE, moved);
                 }
             }
         }

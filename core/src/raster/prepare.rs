@@ -107,7 +107,7 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite) -> Sc
         covered: covered(frame.atlas, sprite.tile, mip),
         corners: lit.map(|(rgb, a)| [rgb.r, rgb.g, rgb.b, a]),
         haze: (haze_color * hazed).to_array(),
-        bounds: bounds(view, outline.as_ref(), drawn.center, sprite.reach()),
+        bounds: bounds(view, outline.as_ref()),
         outline,
     }
 }
@@ -159,15 +159,12 @@ fn outline(view: &View, quad: &[Vec3; 4]) -> Option<[Vec2; 4]> {
     Some([a?, b?, c?, d?])
 }
 
-/// Around the outline; for a quad that the near plane cuts, around its sphere's cone, or the whole picture.
-fn bounds(view: &View, outline: Option<&[Vec2; 4]>, center: Vec3, reach: f32) -> [f32; 4] {
+/// Around the outline; for a quad that the near plane cuts, the whole picture.
+fn bounds(view: &View, outline: Option<&[Vec2; 4]>) -> [f32; 4] {
     let whole = [0.0, 0.0, view.width as f32, view.height as f32];
-    let (low, high) = match outline {
-        Some(points) => (points.iter().copied().reduce(Vec2::min), points.iter().copied().reduce(Vec2::max)),
-        None if view.depth(center) < -reach => return [0.0; 4],
-        None => return whole,
-    };
-    let (low, high) = (low.unwrap_or_default(), high.unwrap_or_default());
+    let Some(points) = outline else { return whole };
+    let low = points.iter().copied().fold(Vec2::INFINITY, Vec2::min);
+    let high = points.iter().copied().fold(Vec2::NEG_INFINITY, Vec2::max);
     [low.x.max(whole[0]), low.y.max(whole[1]), high.x.min(whole[2]), high.y.min(whole[3])]
 }
 

@@ -4,13 +4,12 @@
 //! has `side` × `side` samples; at each, the fragments are sorted by their own depth along the ray (ties by the
 //! sprite's place in the scene) and blended in f32, all of them. Texels are filtered for the sample's footprint.
 
-use super::fast::bins::{Bins, TileRect, assemble};
+use super::fast::bins::{TILE, assemble, map_tiles};
 use super::plain::put_behind;
 use super::{ScreenSprite, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::LinearPicture;
-use rayon::prelude::*;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Samples a pixel that error figures use: 4 × 4.
@@ -21,22 +20,17 @@ pub const SIDE: u32 = 4;
 pub fn linear_picture(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sync)) -> LinearPicture {
     let (width, height) = (frame.view.width, frame.view.height);
     let sprites = prepare(frame);
-    let bins = Bins::new(&sprites, width, height);
     let places = places_in_scene(frame);
-    let tiles = bins.tiles();
-    let done = AtomicUsize::new(0);
-    let drawn: Vec<(TileRect, Vec<Rgb>)> = tiles
-        .par_iter()
-        .with_max_len(1)
-        .map(|&(rect, members)| {
-            let tile = Tile { frame, sprites: &sprites, places: &places, members, side: side.max(1) };
-            let pixels = (0..rect.width * rect.height)
-                .map(|i| tile.pixel(rect.left + i % rect.width, rect.top + i / rect.width))
-                .collect();
-            progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / tiles.len() as f32);
-            (rect, pixels)
-        })
-        .collect();
+    let (done, count) =
+        (AtomicUsize::new(0), width.div_ceil(TILE as u32) as usize * height.div_ceil(TILE as u32) as usize);
+    let drawn = map_tiles(&sprites, width, height, |rect, members| {
+        let tile = Tile { frame, sprites: &sprites, places: &places, members, side: side.max(1) };
+        let pixels = (0..rect.width * rect.height)
+            .map(|i| tile.pixel(rect.left + i % rect.width, rect.top + i / rect.width))
+            .collect();
+        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / count as f32);
+        pixels
+    });
     let pixels = assemble(&drawn, width, height, Rgb::BLACK);
     LinearPicture { width, height, pixels }
 }

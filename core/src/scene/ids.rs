@@ -1,4 +1,4 @@
-//! Ids: one counter for the whole scene, a type for each kind of thing, never given twice.
+//! Ids: one counter for the whole scene, a type for each kind of thing, never given twice within one history of edits.
 
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

@@ -36,7 +36,7 @@ use serde::{Deserialize, Serialize};
 pub struct Scene {
     /// For people.
     pub name: String,
-    /// The id that the next new thing gets. Ids are never given twice.
+    /// The id that the next new thing gets. Ids are not given twice, but for those that undo took back.
     pub next_id: IdCounter,
     /// Local civil hours in [0, 24).
     pub time_of_day_h: f64,

@@ -22,7 +22,7 @@ pub struct Place {
 
 /// Where the sun stands.
 #[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
-#[serde(rename_all = "snake_case")]
+#[serde(rename_all = "snake_case", deny_unknown_fields)]
 pub enum Sun {
     /// As on Earth, from place, date and time of day.
     #[default]

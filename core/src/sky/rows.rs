@@ -47,7 +47,7 @@ impl<'a> BackgroundRows<'a> {
         match &self.background.ground {
             _ if self.view.pixel() * STEP as f32 > COARSEST_STEP => self.exact(&direction, count, out),
             Some(ground) if highest < -1e-4 => self.ground(ground, left, y, &direction, out),
-            Some(_) if lowest < HORIZON_SINE => self.exact(&direction, count, out),
+            _ if lowest < HORIZON_SINE => self.exact(&direction, count, out),
             _ => self.sky(&direction, count, out),
         }
     }
@@ -72,13 +72,23 @@ impl<'a> BackgroundRows<'a> {
     }
 
     fn sky(&self, direction: &impl Fn(usize) -> Vec3, count: usize, out: &mut Planes<MOST>) {
-        let sun = self.background.dome.sun_direction;
-        let closest = MOST as f32 * self.view.pixel() + SUN_GLOW;
-        let near_sun = direction(count / 2).dot(sun) > libm::cosf(closest.min(3.0));
-        if near_sun {
+        if self.is_near_sun(direction(count / 2)) {
             return self.exact(direction, count, out);
         }
         between_nodes(out, |x| self.dome.radiance(direction(x)));
+    }
+
+    /// Whether a row of pixels around `middle` may hold the sun, or the sky's peak, where it set.
+    fn is_near_sun(&self, middle: Vec3) -> bool {
+        let dome = &self.background.dome;
+        let closest = libm::cosf((MOST as f32 * self.view.pixel() + SUN_GLOW).min(3.0));
+        middle.dot(dome.sun_direction) > closest || middle.dot(dome.glow_direction) > closest
+    }
+
+    /// Whether what lies behind `count` pixels from (`left`, `y`) to the right is so bright that it shows through where
+    /// hardly anything gets through.
+    pub fn dazzles(&self, left: u32, y: u32, count: usize) -> bool {
+        self.is_near_sun(self.view.ray((left as usize + count / 2) as f32 + 0.5, y as f32 + 0.5).normalize())
     }
 
     fn ground(

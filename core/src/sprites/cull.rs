@@ -11,7 +11,7 @@ use rustc_hash::FxHashMap;
 
 /// For each candidate whether it is kept. `radii` has one radius, in metres, for each candidate.
 pub fn cull(candidates: &[Candidate], radii: &[f64]) -> Vec<bool> {
-    let mut grids = Grids::new(radii, candidates.len());
+    let mut grids = Grids::new(radii);
     walk(candidates, radii, |position, radius, kept| match kept {
         None => grids.any_closer(position, radius),
         Some(index) => {
@@ -59,8 +59,12 @@ const END: u32 = u32::MAX;
 
 struct Grids {
     positions: Vec<DVec3>,
+    /// Rising sizes.
     levels: Vec<Level>,
 }
+
+/// With radii over more powers of two than this, neighbours share a grid: memory stays bounded.
+const MOST_LEVELS: usize = 8;
 
 /// One grid: cells of side `size`, each the head of a chain through `next`.
 struct Level {
@@ -70,17 +74,23 @@ struct Level {
 }
 
 impl Grids {
-    fn new(radii: &[f64], capacity: usize) -> Self {
+    fn new(radii: &[f64]) -> Self {
         let mut sizes: Vec<f64> = radii.iter().filter(|r| **r > 0.0 && r.is_finite()).map(|&r| cell_size(r)).collect();
         sizes.sort_unstable_by(f64::total_cmp);
         sizes.dedup();
-        let level = |size| Level { size, heads: FxHashMap::default(), next: Vec::with_capacity(capacity) };
-        Self { positions: Vec::with_capacity(capacity), levels: sizes.into_iter().map(level).collect() }
+        // The largest of each run of neighbours serves them all.
+        let run = sizes.len().div_ceil(MOST_LEVELS).max(1);
+        let level =
+            |sizes: &[f64]| Level { size: sizes[sizes.len() - 1], heads: FxHashMap::default(), next: Vec::new() };
+        Self { positions: Vec::new(), levels: sizes.chunks(run).map(level).collect() }
     }
 
     fn any_closer(&self, position: DVec3, radius: f64) -> bool {
         // Nothing is closer than 0; and a radius that is no number drops nothing.
-        let Some(level) = self.levels.iter().find(|level| level.size == cell_size(radius)) else {
+        if !(radius > 0.0 && radius.is_finite()) {
+            return false;
+        }
+        let Some(level) = self.levels.iter().find(|level| level.size >= cell_size(radius)) else {
             return false;
         };
         let low = cell(position - DVec3::splat(radius), level.size);
@@ -112,9 +122,10 @@ impl Grids {
     }
 }
 
-/// The power of two at or above twice the radius: a question then touches 8 cells, not 27.
+/// The power of two at or above twice the radius: a question then touches 8 cells, not 27. No cell is smaller than a
+/// millimetre, so that cells have numbers wherever a sprite may lie.
 fn cell_size(radius: f64) -> f64 {
-    libm::exp2(libm::ceil(libm::log2(radius * 2.0)))
+    libm::exp2(libm::ceil(libm::log2(radius.max(1e-3) * 2.0)))
 }
 
 fn cell(position: DVec3, size: f64) -> [i64; 3] {

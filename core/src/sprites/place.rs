@@ -6,7 +6,7 @@
 use super::{Candidate, PopulatedModel};
 use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
 use glam::{DQuat, DVec3, Vec3};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt;
 
 /// A sprite that is drawn.
@@ -82,7 +82,7 @@ pub struct PlacedCloud {
     pub name: String,
     /// Its model's category.
     pub category: Category,
-    /// Where its sprites' positions count from, metres in the world.
+    /// Where its sprites' positions count from, metres in the world: amid them.
     pub origin: DVec3,
     /// What was tried, before culling.
     pub candidate_count: usize,
@@ -114,7 +114,8 @@ impl PlacedCloud {
 
 /// Puts `populated`, which comes from `model`, where `cloud` stands.
 ///
-/// With a ground (its world altitude in metres), sprites whose quads would cut it are lifted until they stand on it.
+/// With a ground (its world altitude in metres), sprites whose quads would cut it are lifted until they stand on it;
+/// hand-moved ones stay where they are.
 pub fn place(
     cloud: &Cloud,
     model: &CloudModel,
@@ -122,16 +123,20 @@ pub fn place(
     ground_altitude_m: Option<f64>,
 ) -> PlacedCloud {
     let turn = heading_turn(cloud.heading_deg);
-    let to_world = |p: DVec3| turn * (p * cloud.scale);
-    let lowest = ground_altitude_m.map(|altitude| (altitude - cloud.position.y) as f32);
+    // Positions count from the sprites' middle, wherever in its model the artist built the cloud.
+    let middle = middle(&populated.sprites);
+    let origin = cloud.position + turn * (middle * cloud.scale);
+    let to_world = |p: DVec3| turn * ((p - middle) * cloud.scale);
+    let lowest = ground_altitude_m.map(|altitude| (altitude - origin.y) as f32);
 
+    let named_groups: FxHashSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
     let mut group_of_key: FxHashMap<GroupKey, u32> = FxHashMap::default();
     let mut keys: Vec<GroupKey> = Vec::new();
     let sprites: Vec<Sprite> = populated
         .sprites
         .iter()
         .map(|candidate| {
-            let key = key_of(candidate, model);
+            let key = key_of(candidate, &named_groups);
             let group = *group_of_key.entry(key).or_insert_with(|| {
                 keys.push(key);
                 (keys.len() - 1) as u32
@@ -146,7 +151,7 @@ pub fn place(
                 box_id: candidate.box_id,
                 index: candidate.index,
             };
-            if let Some(lowest) = lowest {
+            if let Some(lowest) = lowest.filter(|_| !candidate.moved) {
                 sprite.position.y = sprite.position.y.max(lowest + sprite.reach());
             }
             sprite
@@ -161,7 +166,7 @@ pub fn place(
         id: cloud.id,
         name: cloud.name.clone(),
         category: model.category,
-        origin: cloud.position,
+        origin,
         candidate_count: populated.candidate_count,
         bottom: sprites.iter().map(|s| s.position.y - s.radius()).reduce(f32::min).unwrap_or(0.0),
         top: sprites.iter().map(|s| s.position.y + s.radius()).reduce(f32::max).unwrap_or(0.0),
@@ -174,14 +179,21 @@ pub fn place(
     }
 }
 
+/// Of the box around the centres.
+fn middle(candidates: &[Candidate]) -> DVec3 {
+    let ends =
+        candidates.iter().map(|c| (c.position, c.position)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)));
+    ends.map_or(DVec3::ZERO, |(low, high)| (low + high) * 0.5)
+}
+
 /// Clockwise from north as seen from above is a negative turn about +y.
 fn heading_turn(heading_deg: f64) -> DQuat {
     let half = -heading_deg.to_radians() * 0.5;
     DQuat::from_xyzw(0.0, libm::sin(half), 0.0, libm::cos(half))
 }
 
-fn key_of(candidate: &Candidate, model: &CloudModel) -> GroupKey {
-    match candidate.group.filter(|id| model.groups.iter().any(|group| group.id == *id)) {
+fn key_of(candidate: &Candidate, named_groups: &FxHashSet<GroupId>) -> GroupKey {
+    match candidate.group.filter(|id| named_groups.contains(id)) {
         Some(id) => GroupKey::Named(id),
         None => GroupKey::Lump(candidate.box_id, candidate.lump),
     }
@@ -204,11 +216,14 @@ fn groups(
         *sum += sprite.position.as_dvec3();
         *count += 1;
     }
+    let named: FxHashMap<GroupId, GroupLight> = model.groups.iter().map(|group| (group.id, group.light)).collect();
+    let own: FxHashMap<BoxId, GroupLight> = model.boxes.iter().map(|each| (each.id, each.light)).collect();
     let light_of = |key: GroupKey| -> GroupLight {
         match key {
-            GroupKey::Named(id) => model.groups.iter().find(|g| g.id == id).map(|g| g.light),
-            GroupKey::Lump(id, _) => model.boxes.iter().find(|b| b.id == id).map(|b| b.light),
+            GroupKey::Named(id) => named.get(&id),
+            GroupKey::Lump(id, _) => own.get(&id),
         }
+        .copied()
         .unwrap_or_default()
     };
     keys.iter()

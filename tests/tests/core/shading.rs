@@ -74,14 +74,17 @@ fn every_corner_of_a_cloud_is_lit_by_both_lights() {
             let light = Light::at(&scene, hour);
             let derived = Derived::new(&scene);
             let cloud = &derived.clouds()[0];
+            let mut brightest = 0.0_f32;
             for sprite in &cloud.sprites {
                 let group = &cloud.groups[sprite.group as usize];
                 let lit = corner_light(sprite.position + Vec3::splat(sprite.radius()), cloud, group, &light);
                 let level = level_color(&cloud.color_levels, lit.height);
                 assert!((0.0..=1.0).contains(&lit.height));
+                brightest = brightest.max(lit.directional.g);
                 assert!((lit.ambient.rgb.g - level.rgb.g * light.ambient_max.rgb.g).abs() < 1e-6);
                 assert!(lit.color().rgb.g >= lit.ambient.rgb.g - 1e-6 && lit.color().a <= 1.0);
             }
+            assert!(brightest > 0.5 * light.directional_max.g, "some corner faces the sun: {brightest}");
         }
     }
 }

@@ -46,7 +46,7 @@ pub fn read(bytes: &[u8]) -> Result<Scene, Vec<Problem>> {
         }
     };
     let errors: Vec<Problem> = problem::check(&scene).into_iter().filter(|p| p.severity == Severity::Error).collect();
-    if errors.is_empty() { Ok(scene) } else { Err(errors) }
+    if errors.is_empty() { Ok(scene) } else { Err(problem::shortened(errors)) }
 }
 
 /// Writes a scene.
@@ -79,8 +79,8 @@ fn as_text(bytes: &[u8]) -> Result<&str, Problem> {
 fn head_problem(text: &str, error: &serde_json::Error) -> Problem {
     if error.is_data() {
         return Problem::error(
-            "line 1",
-            "there is no head that names format and version",
+            format!("line {}", error.line()),
+            format!("the head does not name format and version: {}", without_place(error)),
             format!("a scene begins {{ \"format\": \"{FORMAT}\", \"version\": 1, …"),
         );
     }

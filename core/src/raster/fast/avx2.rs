@@ -101,8 +101,11 @@ fn draw<const GREY: bool>(
             let x = _mm256_add_ps(_mm256_set1_ps((group * LANES) as f32), lanes);
             let denominator = _mm256_fmadd_ps(x, d_dx, d_row);
             let inverse = _mm256_div_ps(_mm256_set1_ps(1.0), denominator);
-            let u = _mm256_mul_ps(_mm256_fmadd_ps(x, u_dx, u_row), inverse);
-            let v = _mm256_mul_ps(_mm256_fmadd_ps(x, v_dx, v_row), inverse);
+            // A lane beside the quad may have no number here. Of two operands min and max give the second unless the
+            // comparison holds, so such a lane reads the tile's clear border.
+            let within = |t| _mm256_max_ps(_mm256_min_ps(t, _mm256_set1_ps(1.0)), _mm256_setzero_ps());
+            let u = within(_mm256_mul_ps(_mm256_fmadd_ps(x, u_dx, u_row), inverse));
+            let v = within(_mm256_mul_ps(_mm256_fmadd_ps(x, v_dx, v_row), inverse));
 
             let fine = fetch::<GREY>(constants.fine, u, v, alpha_red, green_blue);
             let mut texel = fine;
@@ -172,7 +175,6 @@ fn fetch<const GREY: bool>(
 ) -> [__m256; 4] {
     let (size, half) = (_mm256_set1_ps(level.size), _mm256_set1_ps(-0.5));
     let (zero, last) = (_mm256_setzero_ps(), _mm256_set1_ps(level.size - 1.0));
-    // The operand that is not a number loses in min and max when it stands first: such a lane reads the clear border.
     let x = _mm256_max_ps(_mm256_min_ps(_mm256_fmadd_ps(u, size, half), last), zero);
     let y = _mm256_max_ps(_mm256_min_ps(_mm256_fmadd_ps(v, size, half), last), zero);
     let (column, row) = (_mm256_floor_ps(x), _mm256_floor_ps(y));

@@ -16,30 +16,27 @@ pub struct TileRect {
     pub height: u32,
 }
 
-/// For each tile the indices of its sprites, nearest first.
-pub struct Bins {
-    rows: Vec<Vec<(TileRect, Vec<u32>)>>,
-}
-
-impl Bins {
-    /// `sprites` stand back to front.
-    pub fn new(sprites: &[ScreenSprite], width: u32, height: u32) -> Self {
-        let side = TILE as u32;
-        let row = |top: u32| {
-            let rect = |left| TileRect { left, top, width: side.min(width - left), height: side.min(height - top) };
-            let mut tiles: Vec<_> = (0..width).step_by(TILE).map(|left| (rect(left), Vec::new())).collect();
-            for (index, sprite) in sprites.iter().enumerate().rev() {
-                bin(sprite, index as u32, top as f32, &mut tiles);
-            }
-            tiles
-        };
-        Self { rows: (0..height).step_by(TILE).collect::<Vec<_>>().into_par_iter().map(row).collect() }
-    }
-
-    /// All tiles, row by row.
-    pub fn tiles(&self) -> Vec<(TileRect, &[u32])> {
-        self.rows.iter().flatten().map(|(rect, members)| (*rect, members.as_slice())).collect()
-    }
+/// Draws all tiles on all cores: `draw(tile, its sprites' indices, nearest first)` gives the tile's pixels.
+///
+/// `sprites` stand back to front. Sprites are binned a row of tiles at a time, by the task that then draws the row: a
+/// crowd of sprites that fill the screen would need gigabytes for all tiles at once.
+pub fn map_tiles<P: Send>(
+    sprites: &[ScreenSprite],
+    width: u32,
+    height: u32,
+    draw: impl Fn(TileRect, &[u32]) -> Vec<P> + Sync,
+) -> Vec<(TileRect, Vec<P>)> {
+    let side = TILE as u32;
+    let tops: Vec<u32> = (0..height).step_by(TILE).collect();
+    let row = |top: u32| -> Vec<(TileRect, Vec<P>)> {
+        let rect = |left| TileRect { left, top, width: side.min(width - left), height: side.min(height - top) };
+        let mut tiles: Vec<_> = (0..width).step_by(TILE).map(|left| (rect(left), Vec::new())).collect();
+        for (index, sprite) in sprites.iter().enumerate().rev() {
+            bin(sprite, index as u32, top as f32, &mut tiles);
+        }
+        tiles.into_par_iter().with_max_len(1).map(|(rect, members)| (rect, draw(rect, &members))).collect()
+    };
+    tops.into_par_iter().with_max_len(1).flat_map_iter(row).collect()
 }
 
 /// Adds a sprite to those tiles of the row at `row_top` that its bounds and outline touch.

@@ -16,8 +16,7 @@ use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture, Picture};
 use crate::sky::BackgroundRows;
 use crate::tone::{Planes, encode_row};
-use bins::{Bins, TILE, TileRect, assemble};
-use rayon::prelude::*;
+use bins::{TILE, TileRect, assemble, map_tiles};
 use tile::{Brush, Tile, TileRow};
 
 /// A pixel is done when less than this gets through. What still does shows the background, but for rows of a tile that
@@ -35,7 +34,7 @@ pub fn picture(frame: &Frame<'_>) -> Picture {
 pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [[u8; 4]]| {
-        let exposed = over_background(&background, rect, row, clouds, frame.exposure);
+        let exposed = over_background(&background, (rect, row), clouds, stop_below, frame.exposure);
         encode_row(&exposed, rect.left, rect.top + row, out);
     };
     let pixels = draw(&Brush::new(frame.atlas), frame, stop_below, [0; 4], finish);
@@ -46,7 +45,7 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [Rgb]| {
-        let [r, g, b] = over_background(&background, rect, row, clouds, 1.0);
+        let [r, g, b] = over_background(&background, (rect, row), clouds, STOP_BELOW, 1.0);
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Rgb::new(r[x], g[x], b[x]);
         }
@@ -75,20 +74,21 @@ fn clouds_by(brush: &Brush<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
     Layer { width: frame.view.width, height: frame.view.height, pixels }
 }
 
-/// A tile's row over what lies behind it, times `gain`. Where no pixel of the row lets anything show, nothing is put
-/// behind.
+/// A tile's row over what lies behind it, times `gain`. Where all pixels of the row let less than `stop_below` through,
+/// nothing is put behind, but for the sun.
 fn over_background(
     background: &BackgroundRows<'_>,
-    rect: TileRect,
-    row: u32,
+    (rect, row): (TileRect, u32),
     clouds: &TileRow,
+    stop_below: f32,
     gain: f32,
 ) -> Planes<TILE> {
-    let width = rect.width as usize;
+    let (width, y) = (rect.width as usize, rect.top + row);
     let [r, g, b, through] = clouds;
     let mut behind = [[0.0; TILE]; 3];
-    if through[..width].iter().any(|through| *through >= STOP_BELOW) {
-        background.row(rect.left, rect.top + row, width, &mut behind);
+    let shows = |through: &f32| *through >= stop_below;
+    if through[..width].iter().any(shows) || background.dazzles(rect.left, y, width) {
+        background.row(rect.left, y, width, &mut behind);
     }
     for (behind, color) in behind.iter_mut().zip([r, g, b]) {
         for x in 0..TILE {
@@ -107,20 +107,14 @@ fn draw<P: Copy + Send + Sync>(
     finish: impl Fn(TileRect, u32, &TileRow, &mut [P]) + Sync,
 ) -> Vec<P> {
     let sprites = prepare(frame);
-    let bins = Bins::new(&sprites, frame.view.width, frame.view.height);
-    let tiles: Vec<(TileRect, Vec<P>)> = bins
-        .tiles()
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|(rect, members)| {
-            let tile = draw_tile(brush, &sprites, rect, members, stop_below);
-            let mut out = vec![empty; (rect.width * rect.height) as usize];
-            for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
-                finish(rect, row, &tile.row(row as usize), line);
-            }
-            (rect, out)
-        })
-        .collect();
+    let tiles = map_tiles(&sprites, frame.view.width, frame.view.height, |rect, members| {
+        let tile = draw_tile(brush, &sprites, rect, members, stop_below);
+        let mut out = vec![empty; (rect.width * rect.height) as usize];
+        for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
+            finish(rect, row, &tile.row(row as usize), line);
+        }
+        out
+    });
     assemble(&tiles, frame.view.width, frame.view.height, empty)
 }
 

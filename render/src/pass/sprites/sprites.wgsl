@@ -6,6 +6,7 @@
 
 const TILE_SIZE: f32 = 128.0;
 const LAST_MIP: f32 = 4.0;
+const BRIGHTEST: f32 = 60000.0;
 
 @group(1) @binding(4) var atlas: texture_2d_array<f32>;
 @group(1) @binding(5) var atlas_sampler: sampler;
@@ -62,7 +63,8 @@ fn draw_sprite(in: Corner) -> @location(0) vec4f {
     let light = in.light_base + in.uv.x * in.light_right + in.uv.y * (in.light_down + in.uv.x * in.light_both);
     let texel = textureSampleLevel(atlas, atlas_sampler, in.uv, in.tile, in.haze_and_mip.w);
     let rgb = texel.rgb * light.rgb + texel.a * in.haze_and_mip.rgb;
-    return light.a * vec4f(rgb, texel.a);
+    // Brighter light would be infinite in the target's 16-bit floats.
+    return light.a * vec4f(min(rgb, vec3f(BRIGHTEST * texel.a)), texel.a);
 }
 
 // Depth runs from the near plane to infinity; there is no depth buffer, z only clips.
