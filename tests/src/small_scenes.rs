@@ -35,8 +35,11 @@ pub fn single_sprites(sprites: &[(DVec3, f64)]) -> Scene {
             Strew { center: *position, size: DVec3::ZERO, count: 1, sprite: [*side, *side], ..Strew::default() },
         );
     }
-    for cloud_box in &mut model.boxes {
+    for (cloud_box, (position, side)) in model.boxes.iter_mut().zip(sprites) {
         cloud_box.rotation_deg = [0.0, 0.0];
+        // A sketch rounds to metres.
+        cloud_box.center = *position;
+        (cloud_box.width, cloud_box.height) = ([*side; 2], [*side; 2]);
     }
     let id = model.id;
     sketch.scene.models.push(model);

@@ -20,7 +20,9 @@ fn with_frame<T>(scene: &Scene, camera: &Camera, size: [u32; 2], f: impl FnOnce(
 
 fn largest_difference(a: &Layer, b: &Layer) -> f32 {
     let channels = |p: &Premultiplied| [p.r, p.g, p.b, p.a];
-    let difference = |(a, b)| channels(a).into_iter().zip(channels(b)).map(|(x, y)| (x - y).abs()).fold(0.0, f32::max);
+    // f32::max passes over what is no number: that differs most of all.
+    let apart = |x: f32, y: f32| if (x - y).is_nan() { f32::INFINITY } else { (x - y).abs() };
+    let difference = |(a, b)| channels(a).into_iter().zip(channels(b)).map(|(x, y)| apart(x, y)).fold(0.0, f32::max);
     a.pixels.iter().zip(&b.pixels).map(difference).fold(0.0, f32::max)
 }
 
