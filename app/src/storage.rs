@@ -89,10 +89,20 @@ pub fn check_writable(path: &Path) -> Result<(), StorageError> {
     temporary_beside(path, &target).map(drop)
 }
 
+/// Whether both names lead to one file that is there.
+pub fn is_same_file(a: &Path, b: &Path) -> bool {
+    matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
+}
+
 fn temporary_beside(path: &Path, target: &Path) -> Result<NamedTempFile, StorageError> {
     if let Ok(before) = fs::metadata(target) {
         let refusal = if before.is_dir() {
             Some(("it is a folder", "give a file name in it"))
+        } else if !before.is_file() {
+            Some((
+                "it is no ordinary file",
+                "a device or a pipe can't be written whole or not at all; give a file name",
+            ))
         } else if before.permissions().readonly() {
             Some(("it is write-protected", "choose another name, or take the protection off"))
         } else {
@@ -101,6 +111,10 @@ fn temporary_beside(path: &Path, target: &Path) -> Result<NamedTempFile, Storage
         if let Some((reason, hint)) = refusal {
             return Err(StorageError::Write { path: path.into(), reason: reason.into(), hint: hint.into() });
         }
+    }
+    if fs::symlink_metadata(target).is_ok_and(|link| link.is_symlink()) {
+        let (reason, hint) = ("it is a link that leads nowhere", "remove the link, or make what it leads to");
+        return Err(StorageError::Write { path: path.into(), reason: reason.into(), hint: hint.into() });
     }
     let mut builder = tempfile::Builder::new();
     builder.prefix(".cloudwright-");

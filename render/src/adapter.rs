@@ -12,7 +12,7 @@ pub enum AdapterChoice {
     HardwareOnly,
     /// The best on one backend.
     On(wgpu::Backend),
-    /// The best whose [`Gpu::label`] contains this, in any case.
+    /// The best whose `Gpu::label` contains this, in any case.
     Named(String),
 }
 

@@ -47,7 +47,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         None
     };
-    storage::check_writable(&arguments.output)?;
+    input::check_output(&arguments.scene, &arguments.output)?;
     let _progress = Progress::start("exporting");
     let derived = Derived::new(&scene);
     let shaded = shaded.as_ref().map(|(view, light)| (view, light));

@@ -1,6 +1,7 @@
 //! What several subcommands take from a scene.
 
 use super::failure::Failure;
+use crate::storage;
 use cloudwright_core::scene::{Camera, Scene};
 use std::path::Path;
 
@@ -23,4 +24,13 @@ pub(super) fn camera<'a>(scene: &'a Scene, path: &Path, name: Option<&str>) -> R
         };
         Failure::argument(what, hint)
     })
+}
+
+/// Known before the work, not after it: whether `output` can be written, and is not the scene itself.
+pub(super) fn check_output(scene: &Path, output: &Path) -> Result<(), Failure> {
+    if storage::is_same_file(scene, output) {
+        let what = format!("--output {}: that is the scene itself", output.display());
+        return Err(Failure::argument(what, "choose another name; the scene would be lost"));
+    }
+    Ok(storage::check_writable(output)?)
 }

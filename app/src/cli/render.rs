@@ -55,8 +55,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let (scene, atlas) = opening::open(&arguments.scene)?;
     let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
-    // Known before the work, not after it.
-    storage::check_writable(&arguments.output)?;
+    input::check_output(&arguments.scene, &arguments.output)?;
     let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
     let derived = Derived::new(&scene);
     let frame = |size| Frame::new(&scene, &derived, opening::sheet(&atlas), camera, time_h, size);

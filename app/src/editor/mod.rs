@@ -1,6 +1,6 @@
 //! The editor's window, frame by frame.
 //!
-//! A frame runs from top to bottom of [`Editor::ui`]: answers that arrived, keys, panels, their actions, viewport, its
+//! A frame runs from top to bottom of `Editor::ui`: answers that arrived, keys, panels, their actions, viewport, its
 //! actions, dialogs. Panels only read and return actions; what they change shows in the viewport of the same frame.
 //! Selection, camera and layout are view state and never saved.
 

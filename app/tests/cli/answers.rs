@@ -79,3 +79,19 @@ fn export_writes_each_kept_sprite() {
     };
     assert_ne!(shaded_at("12:00"), shaded_at("18:30"));
 }
+
+#[test]
+fn an_export_never_replaces_the_scene_it_is_made_from() {
+    let place = Place::new();
+    place.put("scene.json", place.read("good.cloudscene").as_slice());
+    place.refuses("export scene.json -o scene.json", 2, &["scene.json", "the scene itself", "another name"]);
+    assert_eq!(place.read("scene.json"), place.read("good.cloudscene"));
+}
+
+#[cfg(unix)]
+#[test]
+fn a_link_to_nowhere_is_not_replaced() {
+    let place = Place::new();
+    std::os::unix::fs::symlink("nowhere.csv", place.path("link.csv")).expect("allowed");
+    place.refuses("export good.cloudscene -o link.csv", 3, &["link.csv", "leads nowhere"]);
+}

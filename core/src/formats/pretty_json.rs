@@ -17,26 +17,44 @@ pub fn write(value: &Value) -> String {
     out
 }
 
-/// An object whose last field is a long list: written item by item, so that only one stands in memory as a tree.
-pub fn write_list(head: &[(&str, Value)], name: &str, items: impl Iterator<Item = Value>) -> String {
-    let mut out = String::from("{\n");
+/// Appends an object, `indent` spaces in, whose last field is a long list: `item(out, i)` appends one item, `indent` + 4
+/// spaces in. So only one item at a time stands in memory as a tree.
+pub fn write_list<E>(
+    out: &mut String,
+    indent: usize,
+    head: &[(&str, Value)],
+    (name, count): (&str, usize),
+    mut item: impl FnMut(&mut String, usize) -> Result<(), E>,
+) -> Result<(), E> {
+    let new_line = |out: &mut String, indent: usize| {
+        out.push('\n');
+        out.extend(std::iter::repeat_n(' ', indent));
+    };
+    out.push('{');
     for (key, value) in head {
-        let _ = write!(out, "  {}: ", Value::from(*key));
-        write_value(value, 2, &mut out);
-        out.push_str(",\n");
+        new_line(out, indent + 2);
+        let _ = write!(out, "{}: ", Value::from(*key));
+        write_value(value, indent + 2, out);
+        out.push(',');
     }
-    let _ = write!(out, "  {}: [", Value::from(name));
-    let mut empty = true;
-    for item in items {
-        out.push_str(if empty { "\n    " } else { ",\n    " });
-        write_value(&item, 4, &mut out);
-        empty = false;
+    new_line(out, indent + 2);
+    let _ = write!(out, "{}: [", Value::from(name));
+    for i in 0..count {
+        out.push_str(if i > 0 { "," } else { "" });
+        new_line(out, indent + 4);
+        item(out, i)?;
     }
-    out.push_str(if empty { "]\n}\n" } else { "\n  ]\n}\n" });
-    out
+    if count > 0 {
+        new_line(out, indent + 2);
+    }
+    out.push(']');
+    new_line(out, indent);
+    out.push('}');
+    Ok(())
 }
 
-fn write_value(value: &Value, indent: usize, out: &mut String) {
+/// Appends `value`, `indent` spaces in.
+pub fn write_value(value: &Value, indent: usize, out: &mut String) {
     if depth(value, 2) < 2 || matches!(value, Value::Object(map) if map.values().all(|v| depth(v, 2) < 2)) {
         let line = one_line(value);
         if line.len() + indent <= LINE {

@@ -7,11 +7,12 @@ use super::pretty_json;
 use crate::camera::View;
 use crate::color::{Rgb, Rgba, shortest_f64};
 use crate::facing::{corners, face_eye};
-use crate::scene::{BoxId, Category, CloudId, ColorLevel};
+use crate::scene::{BoxId, ColorLevel};
 use crate::shading::{Light, corner_light};
 use crate::sprites::{Group, PlacedCloud, Sprite};
 use glam::{DVec3, Vec3};
 use serde::Serialize;
+use serde_json::to_value;
 
 #[derive(Serialize)]
 struct LightOut {
@@ -19,20 +20,6 @@ struct LightOut {
     sun_direction: [f64; 3],
     ambient_max: Rgba,
     directional_max: Rgb,
-}
-
-#[derive(Serialize)]
-struct CloudOut<'a> {
-    id: CloudId,
-    name: &'a str,
-    category: Category,
-    center: DVec3,
-    radius: f64,
-    bottom: f64,
-    top: f64,
-    color_levels: Vec<LevelOut>,
-    groups: Vec<GroupOut>,
-    sprites: Vec<SpriteOut>,
 }
 
 #[derive(Serialize)]
@@ -87,33 +74,39 @@ pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> Result<
             ambient_max: light.ambient_max,
             directional_max: light.directional_max,
         };
-        head.push(("light", serde_json::to_value(light)?));
+        head.push(("light", to_value(light)?));
     }
-    let mut failure = None;
-    let clouds = clouds
-        .iter()
-        .map_while(|cloud| serde_json::to_value(cloud_out(cloud, shaded)).map_err(|error| failure = Some(error)).ok());
-    let text = pretty_json::write_list(&head, "clouds", clouds);
-    failure.map_or(Ok(text), Err)
+    let mut out = String::new();
+    pretty_json::write_list(&mut out, 0, &head, ("clouds", clouds.len()), |out, i| {
+        write_cloud(out, &clouds[i], shaded)
+    })?;
+    out.push('\n');
+    Ok(out)
 }
 
-fn cloud_out<'a>(cloud: &'a PlacedCloud, shaded: Option<(&View, &Light)>) -> CloudOut<'a> {
-    CloudOut {
-        id: cloud.id,
-        name: &cloud.name,
-        category: cloud.category,
-        center: in_world(cloud, cloud.center),
-        radius: shortest_f64(cloud.radius),
-        bottom: cloud.origin.y + f64::from(cloud.bottom),
-        top: cloud.origin.y + f64::from(cloud.top),
-        color_levels: cloud
-            .color_levels
-            .iter()
-            .map(|&ColorLevel { height, color }| LevelOut { height, rgba: color })
-            .collect(),
-        groups: cloud.groups.iter().map(|group| group_out(cloud, group)).collect(),
-        sprites: cloud.sprites.iter().map(|sprite| sprite_out(cloud, sprite, shaded)).collect(),
-    }
+fn write_cloud(
+    out: &mut String,
+    cloud: &PlacedCloud,
+    shaded: Option<(&View, &Light)>,
+) -> Result<(), serde_json::Error> {
+    let levels = cloud.color_levels.map(|ColorLevel { height, color }| LevelOut { height, rgba: color });
+    let groups: Vec<GroupOut> = cloud.groups.iter().map(|group| group_out(cloud, group)).collect();
+    let altitude = |y: f32| ten_thousandths(cloud.origin.y + f64::from(y));
+    let head = [
+        ("id", to_value(cloud.id)?),
+        ("name", cloud.name.as_str().into()),
+        ("category", to_value(cloud.category)?),
+        ("center", to_value(in_world(cloud, cloud.center))?),
+        ("radius", shortest_f64(cloud.radius).into()),
+        ("bottom", altitude(cloud.bottom).into()),
+        ("top", altitude(cloud.top).into()),
+        ("color_levels", to_value(levels)?),
+        ("groups", to_value(groups)?),
+    ];
+    pretty_json::write_list(out, 4, &head, ("sprites", cloud.sprites.len()), |out, i| {
+        pretty_json::write_value(&to_value(sprite_out(cloud, &cloud.sprites[i], shaded))?, 8, out);
+        Ok(())
+    })
 }
 
 fn group_out(cloud: &PlacedCloud, group: &Group) -> GroupOut {
@@ -153,6 +146,9 @@ fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, view: &View,
 
 /// A point of the cloud in the world, to a tenth of a millimetre: f32 holds no more within a cloud.
 fn in_world(cloud: &PlacedCloud, point: Vec3) -> DVec3 {
-    let exact = cloud.origin + point.as_dvec3();
-    (exact * 1e4).round() / 1e4
+    (cloud.origin + point.as_dvec3()).map(ten_thousandths)
+}
+
+fn ten_thousandths(metres: f64) -> f64 {
+    (metres * 1e4).round() / 1e4
 }

@@ -8,6 +8,7 @@ mod daily_tables;
 mod duplicate_ids;
 mod levels_out_of_order;
 mod missing_references;
+mod no_cameras;
 mod numbers_out_of_range;
 mod reversed_ranges;
 mod too_many_sprites;
@@ -67,6 +68,7 @@ const CHECKS: &[fn(&Scene, &mut Vec<Problem>)] = &[
     duplicate_ids::check,
     missing_references::check,
     too_many_sprites::check,
+    no_cameras::check,
 ];
 
 /// Every problem of `scene` that can be seen without its sprites, errors and notes.

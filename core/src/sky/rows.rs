@@ -36,7 +36,7 @@ impl<'a> BackgroundRows<'a> {
         Self { background, dome: DomeTables::new(&background.dome), view: *view }
     }
 
-    /// What lies behind the clouds at the centres of `count` pixels (at most [`MOST`]) from (`left`, `y`) to the right,
+    /// What lies behind the clouds at the centres of `count` pixels (at most 32) from (`left`, `y`) to the right,
     /// into the first places of `out`; within 0.5 % of [`Background::color`].
     pub fn row(&self, left: u32, y: u32, count: usize, out: &mut Planes<MOST>) {
         let count = count.clamp(1, MOST);

@@ -56,7 +56,7 @@ fn cases() -> Vec<(String, Scene, Camera)> {
     ]);
     // Edge-on beside the eye: in the middle column of an odd width the ray runs along the sprite's plane.
     let beside = single_sprites(&[(DVec3::new(0.05, 0.0, 0.0), 100.0), (DVec3::new(0.0, 0.0, -200.0), 100.0)]);
-    cases.push(("beside the eye".into(), beside.clone(), Camera { heading_deg: 0.0, ..Camera::free(DVec3::ZERO) }));
+    cases.push(("beside the eye".into(), beside, Camera { heading_deg: 0.0, ..Camera::free(DVec3::ZERO) }));
     let mut airy = scene.clone();
     airy.ground = None;
     cases.push((

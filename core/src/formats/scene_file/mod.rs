@@ -70,6 +70,13 @@ fn as_text(bytes: &[u8]) -> Result<&str, Problem> {
     if bytes.is_empty() {
         return Err(Problem::error("line 1", "the file is empty", hint));
     }
+    if bytes.starts_with(b"\xEF\xBB\xBF") {
+        return Err(Problem::error(
+            "line 1",
+            "the text begins with a byte order mark",
+            "save it as UTF-8 without the mark",
+        ));
+    }
     std::str::from_utf8(bytes).map_err(|error| {
         let line = bytes[..error.valid_up_to()].iter().filter(|b| **b == b'\n').count() + 1;
         Problem::error(format!("line {line}"), "this is not text", hint)
