@@ -42,6 +42,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             Err(error) => {
                 say(&error.to_string());
                 unreadable = true;
+                // Who reads only the list must not take such a file for a clean one.
+                if arguments.json {
+                    found.push((path, Problem::error("file", error.to_string(), "check its name and permissions")));
+                }
             }
         }
     }

@@ -95,3 +95,10 @@ fn a_link_to_nowhere_is_not_replaced() {
     std::os::unix::fs::symlink("nowhere.csv", place.path("link.csv")).expect("allowed");
     place.refuses("export good.cloudscene -o link.csv", 3, &["link.csv", "leads nowhere"]);
 }
+
+#[test]
+fn a_missing_file_is_in_the_list_too() {
+    let ran = Place::new().run("check --json good.cloudscene missing.cloudscene");
+    let list = as_json(&ran.stdout);
+    assert_eq!((ran.code, &list[0]["file"], &list[0]["place"]), (2, &json!("missing.cloudscene"), &json!("file")));
+}
