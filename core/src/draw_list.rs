@@ -61,7 +61,7 @@ pub fn eye_offset(cloud: &PlacedCloud, view: &View) -> Vec3 {
 /// Sorts `sprites`, which stand in order of cloud and sprite index, farthest first; equally far ones stay in order.
 pub fn sort_back_to_front(sprites: &mut Vec<DrawSprite>) {
     let key = |(index, sprite): (usize, &DrawSprite)| (far_first(sprite.center.length_squared()), index as u32);
-    let mut order: Vec<(u32, u32)> = sprites.iter().enumerate().map(key).collect();
+    let mut order: Vec<(u32, u32)> = sprites.par_iter().enumerate().map(key).collect();
     // A radix sort keeps equal keys in order.
     radsort::sort_by_key(&mut order, |(key, _)| *key);
     *sprites = order.into_par_iter().map(|(_, index)| sprites[index as usize]).collect();
