@@ -62,7 +62,12 @@ impl Place {
 
     /// As [`Place::run`], on so many threads.
     fn run_on(&self, threads: &str, words: &str) -> Ran {
-        cloudwright(self.folder.path(), words, &[("RAYON_NUM_THREADS", threads)])
+        self.run_with(&[("RAYON_NUM_THREADS", threads)], words)
+    }
+
+    /// As [`Place::run`], with these variables set.
+    fn run_with(&self, variables: &[(&str, &str)], words: &str) -> Ran {
+        cloudwright(self.folder.path(), words, variables)
     }
 
     /// As [`Place::run`], and the run must end with `code` and say each of `wanted` on stderr, and leave no file that
