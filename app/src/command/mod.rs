@@ -1,59 +1,51 @@
-//! The command table: every action once, with its name, help and shortcut.
+//! The command table: every action once, with name, help, keys, icon and menu.
 //!
-//! Menus, toolbar and tooltips read it. A new command is a row here and an arm in the editor.
+//! Menus, toolbar, palette, tooltips and README's manual read it. A new command is a row here and an arm in
+//! editor/perform.
 
+mod keys;
+pub mod manual;
+
+pub(crate) use keys::pressed;
+
+use crate::theme::icon;
 use egui::{Key, KeyboardShortcut, Modifiers};
-
-/// Something that the user can have done.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Command {
-    /// Start over.
-    New,
-    /// Read a scene.
-    Open,
-    /// Write the scene.
-    Save,
-    /// Write the scene under another name.
-    SaveAs,
-    /// Leave.
-    Quit,
-    /// One step back.
-    Undo,
-    /// One step forward.
-    Redo,
-    /// A new model with a box, placed where the view looks.
-    AddCloud,
-    /// Another placement of the selected model.
-    PlaceModel,
-    /// A box in the selected model.
-    AddBox,
-    /// A camera where the view is.
-    AddCamera,
-    /// Another one like the selection.
-    Duplicate,
-    /// Takes the selection out.
-    Delete,
-    /// Brings the selection into view.
-    FrameSelection,
-    /// Brings all clouds into view.
-    FrameAll,
-    /// Shows or hides the outlines of all boxes.
-    ShowBoxes,
-    /// Dark or light.
-    SwitchTheme,
-}
 
 /// In which menu a command stands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Menu {
     /// Scenes on disk.
     File,
-    /// History and selection.
+    /// History, selection and what is done with it.
     Edit,
     /// New things.
     Add,
+    /// Shading groups and colour levels.
+    Shade,
     /// How it is looked at.
     View,
+    /// What the primary button does.
+    Tool,
+    /// Panels.
+    Window,
+}
+
+impl Menu {
+    /// All, in the order of the menu bar.
+    pub const ALL: [Self; 7] = [Self::File, Self::Edit, Self::Add, Self::Shade, Self::View, Self::Tool, Self::Window];
+
+    /// As in the menu bar.
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::File => "File",
+            Self::Edit => "Edit",
+            Self::Add => "Add",
+            Self::Shade => "Shade",
+            Self::View => "View",
+            Self::Tool => "Tool",
+            Self::Window => "Window",
+        }
+    }
 }
 
 /// A row of the table.
@@ -67,78 +59,131 @@ pub struct Row {
     pub help: &'static str,
     /// Keys; none for a rare one.
     pub shortcut: Option<KeyboardShortcut>,
+    /// A glyph of the icon font.
+    pub icon: Option<&'static str>,
     /// Where it stands.
     pub menu: Menu,
-    /// Whether it has a button of its own; a gap is left between buttons of different menus.
-    pub in_toolbar: bool,
 }
 
-const fn keys(modifiers: Modifiers, key: Key) -> Option<KeyboardShortcut> {
-    Some(KeyboardShortcut::new(modifiers, key))
+macro_rules! commands {
+    ($($menu:ident { $($command:ident: $name:literal, $help:literal, $keys:expr, $icon:expr;)* })*) => {
+        /// Something that the user can have done.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Command {
+            $($(#[doc = $help] $command,)*)*
+        }
+
+        /// All commands, in the order of the menus.
+        pub const TABLE: &[Row] = &[
+            $($(Row {
+                command: Command::$command,
+                name: $name,
+                help: $help,
+                shortcut: $keys,
+                icon: $icon,
+                menu: Menu::$menu,
+            },)*)*
+        ];
+    };
 }
 
-const fn row(
-    command: Command,
-    name: &'static str,
-    help: &'static str,
-    shortcut: Option<KeyboardShortcut>,
-    menu: Menu,
-    in_toolbar: bool,
-) -> Row {
-    Row { command, name, help, shortcut, menu, in_toolbar }
+const NONE: Option<KeyboardShortcut> = None;
+
+const fn key(key: Key) -> Option<KeyboardShortcut> {
+    Some(KeyboardShortcut::new(Modifiers::NONE, key))
 }
 
-const CTRL: Modifiers = Modifiers::COMMAND;
-const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
+const fn shift(key: Key) -> Option<KeyboardShortcut> {
+    Some(KeyboardShortcut::new(Modifiers::SHIFT, key))
+}
 
-/// All commands, in the order of the menus.
-pub const TABLE: &[Row] = &[
-    row(Command::New, "New", "Start a new scene", keys(CTRL, Key::N), Menu::File, true),
-    row(Command::Open, "Open…", "Open a scene file", keys(CTRL, Key::O), Menu::File, true),
-    row(Command::Save, "Save", "Save the scene", keys(CTRL, Key::S), Menu::File, true),
-    row(Command::SaveAs, "Save as…", "Save under another name", keys(CTRL_SHIFT, Key::S), Menu::File, false),
-    row(Command::Quit, "Quit", "Close the editor", keys(CTRL, Key::Q), Menu::File, false),
-    row(Command::Undo, "Undo", "Take the last change back", keys(CTRL, Key::Z), Menu::Edit, true),
-    row(Command::Redo, "Redo", "Bring an undone change again", keys(CTRL_SHIFT, Key::Z), Menu::Edit, true),
-    row(Command::Duplicate, "Duplicate", "Add another one like the selection", keys(CTRL, Key::D), Menu::Edit, false),
-    row(
-        Command::Delete,
-        "Delete",
-        "Take the selection out of the scene",
-        keys(Modifiers::NONE, Key::Delete),
-        Menu::Edit,
-        false,
-    ),
-    row(Command::AddCloud, "Cloud", "Add a cloud with a model of its own where the view looks", None, Menu::Add, true),
-    row(Command::PlaceModel, "Placement", "Place the selected model again", None, Menu::Add, false),
-    row(
-        Command::AddBox,
-        "Box",
-        "Add a box of sprites to the selected model",
-        keys(Modifiers::NONE, Key::B),
-        Menu::Add,
-        true,
-    ),
-    row(Command::AddCamera, "Camera", "Add a camera that sees what the view sees", None, Menu::Add, true),
-    row(
-        Command::FrameSelection,
-        "Frame selection",
-        "Bring the selection into view",
-        keys(Modifiers::NONE, Key::F),
-        Menu::View,
-        true,
-    ),
-    row(Command::FrameAll, "Frame all", "Bring all clouds into view", keys(Modifiers::NONE, Key::A), Menu::View, false),
-    row(
-        Command::ShowBoxes,
-        "Show all boxes",
-        "Show or hide the outlines of all boxes",
-        keys(Modifiers::SHIFT, Key::B),
-        Menu::View,
-        true,
-    ),
-    row(Command::SwitchTheme, "Dark or light", "Switch between the dark and the light look", None, Menu::View, false),
-];
+const fn alt(key: Key) -> Option<KeyboardShortcut> {
+    Some(KeyboardShortcut::new(Modifiers::ALT, key))
+}
+
+const fn ctrl(key: Key) -> Option<KeyboardShortcut> {
+    Some(KeyboardShortcut::new(Modifiers::COMMAND, key))
+}
+
+const fn ctrl_shift(key: Key) -> Option<KeyboardShortcut> {
+    Some(KeyboardShortcut::new(Modifiers::COMMAND.plus(Modifiers::SHIFT), key))
+}
+
+commands! {
+    File {
+        New: "New", "Start a new scene.", ctrl(Key::N), Some(icon::FILE_PLUS);
+        Open: "Open…", "Open a scene file.", ctrl(Key::O), None;
+        Save: "Save", "Save the scene.", ctrl(Key::S), Some(icon::FLOPPY_DISK);
+        SaveAs: "Save as…", "Save the scene under another name.", ctrl_shift(Key::S), None;
+        Quit: "Quit", "Close the editor.", ctrl(Key::Q), None;
+    }
+    Edit {
+        Undo: "Undo", "Take the last change back.", ctrl(Key::Z), Some(icon::ARROW_U_UP_LEFT);
+        Redo: "Redo", "Bring an undone change again.", ctrl_shift(Key::Z), Some(icon::ARROW_U_UP_RIGHT);
+        SelectAll: "Select all", "Select all clouds, or all boxes of the selected box's model.", ctrl(Key::A), Some(icon::SELECTION_ALL);
+        SelectNone: "Select nothing", "Clear the selection.", alt(Key::A), None;
+        Duplicate: "Duplicate linked", "Add another one like the selection; clouds share the model.", ctrl(Key::D), Some(icon::COPY_SIMPLE);
+        DuplicateOwn: "Duplicate with own model", "Add another cloud with a model of its own.", ctrl_shift(Key::D), Some(icon::COPY);
+        MakeOwn: "Make model own", "Give the selected cloud a model that no other cloud shares.", NONE, Some(icon::LINK_BREAK);
+        MirrorX: "Mirror east–west", "Mirror the selected boxes, or the cloud, across x.", NONE, Some(icon::FLIP_HORIZONTAL);
+        MirrorY: "Mirror up–down", "Mirror the selected boxes, or the cloud, across y.", NONE, None;
+        MirrorZ: "Mirror north–south", "Mirror the selected boxes, or the cloud, across z.", NONE, None;
+        Join: "Join clouds", "Make the selected clouds one cloud.", ctrl(Key::J), Some(icon::UNITE);
+        Split: "Split cloud", "Make the selected boxes a cloud of their own.", ctrl_shift(Key::J), Some(icon::SUBTRACT);
+        Reroll: "Re-roll", "Strew the selected cloud's or model's sprites anew, with another seed.", key(Key::K), Some(icon::DICE_FIVE);
+        ResetSprites: "Reset sprites", "Take back what was changed by hand about the selected sprites or boxes.", NONE, None;
+        Delete: "Delete", "Take the selection out of the scene.", key(Key::Delete), Some(icon::TRASH);
+    }
+    Add {
+        AddCloud: "Cloud", "Add a cloud with a model of its own where the view looks.", NONE, Some(icon::CLOUD);
+        AddPreset: "Cloud from preset…", "Choose a ready-made cloud by its picture.", shift(Key::A), Some(icon::SQUARES_FOUR);
+        PlaceModel: "Placement", "Place the selected model again.", NONE, Some(icon::MAP_PIN);
+        PlaceMany: "Many placements…", "Strew placements of the selected model over an area.", NONE, Some(icon::DOTS_NINE);
+        AddBox: "Box", "Add a box of sprites to the selected model.", NONE, Some(icon::CUBE);
+        AddCamera: "Camera", "Add a camera that sees what the view sees.", NONE, Some(icon::VIDEO_CAMERA);
+    }
+    Shade {
+        NewGroup: "New shading group", "Put the selected boxes or sprites into a shading group of their own.", ctrl(Key::G), Some(icon::CIRCLES_THREE_PLUS);
+        Ungroup: "Leave the group", "Give the selected boxes or sprites their own groups back.", ctrl_shift(Key::G), None;
+        AutoGroup: "Group automatically", "Split the selected model's sprites into shading groups of at most 30.", NONE, Some(icon::MAGIC_WAND);
+        CopyLevels: "Copy colour levels", "Keep the selected model's colour levels for pasting.", NONE, None;
+        PasteLevels: "Paste colour levels", "Give the selected models the colour levels that were copied.", NONE, None;
+    }
+    View {
+        FrameSelection: "Frame selection", "Bring the selection into view.", key(Key::F), Some(icon::CORNERS_OUT);
+        FrameAll: "Frame all", "Bring all clouds into view.", key(Key::A), Some(icon::FRAME_CORNERS);
+        LookThrough: "Look through camera", "See what the selected camera sees, or the next one.", key(Key::C), Some(icon::CAMERA);
+        AlignCamera: "Align camera to view", "Put the selected camera, or the first, where the view is.", ctrl_shift(Key::C), None;
+        Hide: "Hide", "Hide the selection, or show it again.", key(Key::H), Some(icon::EYE_SLASH);
+        Solo: "Solo", "Show only the selected clouds, or all again.", shift(Key::H), Some(icon::TARGET);
+        Lock: "Lock", "Keep the pointer from picking the selection, or let it again.", key(Key::L), Some(icon::LOCK_SIMPLE);
+        ShowAll: "Show and unlock all", "Show and unlock all that was hidden or locked.", alt(Key::H), Some(icon::EYE);
+        ShowBoxes: "Show all boxes", "Show or hide the outlines of all boxes.", shift(Key::B), Some(icon::CUBE_TRANSPARENT);
+        SpriteMarks: "Mark sprites", "Mark sprites with dots, with outlines, or not at all.", key(Key::M), Some(icon::DOTS_THREE);
+        GroupView: "Group view", "Show boxes and sprites in the tints of their shading groups.", key(Key::G), Some(icon::PAINT_BUCKET);
+        SwitchTheme: "Dark or light", "Switch between the dark and the light look.", NONE, Some(icon::CIRCLE_HALF_TILT);
+        Palette: "Command palette…", "Find any command by typing.", ctrl_shift(Key::P), Some(icon::MAGNIFYING_GLASS);
+    }
+    Tool {
+        SelectTool: "Select", "Click to choose, drag for a marquee; again on one place for what lies behind.", key(Key::Q), Some(icon::CURSOR);
+        MoveTool: "Move", "Arrows to move the selection by.", key(Key::W), Some(icon::ARROWS_OUT_CARDINAL);
+        RotateTool: "Rotate", "Rings to turn the selection by.", key(Key::E), Some(icon::ARROWS_CLOCKWISE);
+        ScaleTool: "Scale", "Handles to stretch the selection by.", key(Key::R), Some(icon::RESIZE);
+        BoxTool: "Box tool", "Drag a footprint at the base altitude, then pull the height.", key(Key::B), Some(icon::BOUNDING_BOX);
+        Snap: "Snap", "Snap gestures to steps; Ctrl does the opposite while it is held.", shift(Key::S), Some(icon::MAGNET);
+        PlayTime: "Play time", "Let the time of day run.", key(Key::Space), Some(icon::PLAY);
+    }
+    Window {
+        OutlinePanel: "Outline", "Show the panel of models, clouds and cameras.", NONE, Some(icon::TREE_STRUCTURE);
+        InspectorPanel: "Inspector", "Show the panel of the selection's values.", NONE, Some(icon::SLIDERS_HORIZONTAL);
+        LevelsPanel: "Colour levels", "Show the panel of the five colour levels.", NONE, Some(icon::GRADIENT);
+        GroupsPanel: "Shading groups", "Show the panel of shading groups.", NONE, Some(icon::STACK);
+        SkyPanel: "Sky", "Show the panel of light, time and place.", NONE, Some(icon::SUN);
+        HistoryPanel: "History", "Show the panel of changes.", NONE, Some(icon::CLOCK_COUNTER_CLOCKWISE);
+        ProblemsPanel: "Problems", "Show the panel of what is wrong.", NONE, Some(icon::WARNING);
+        ResetLayout: "Reset layout", "Put all panels back to their places.", NONE, None;
+    }
+}
 
 impl Command {
     /// Its row.
@@ -157,25 +202,10 @@ impl Row {
         }
     }
 
-    /// Whether its keys are also letters, which belong to a text that is being typed.
-    pub fn is_typing(&self) -> bool {
-        self.shortcut.is_some_and(|shortcut| !shortcut.modifiers.command)
+    /// The name without the dots of what asks first.
+    pub fn label(&self) -> &'static str {
+        self.name.trim_end_matches('…')
     }
-}
-
-/// The commands whose keys were pressed. Keys with more modifiers are looked at first, so that undo does not take redo's.
-pub fn pressed(context: &egui::Context) -> Vec<Command> {
-    let typing = context.text_edit_focused();
-    let mut rows: Vec<&Row> = TABLE.iter().filter(|row| row.shortcut.is_some()).collect();
-    rows.sort_by_key(|row| row.shortcut.is_some_and(|shortcut| !shortcut.modifiers.shift));
-    context.input_mut(|input| {
-        let hit = |row: &&Row| {
-            let history = matches!(row.command, Command::Undo | Command::Redo | Command::Duplicate);
-            let leave_to_text = typing && (row.is_typing() || history);
-            !leave_to_text && row.shortcut.is_some_and(|shortcut| input.consume_shortcut(&shortcut))
-        };
-        rows.into_iter().filter(hit).map(|row| row.command).collect()
-    })
 }
 
 #[cfg(test)]
@@ -188,6 +218,7 @@ mod tests {
             for b in &TABLE[i + 1..] {
                 assert_ne!(a.command, b.command);
                 assert!(a.shortcut.is_none() || a.shortcut != b.shortcut, "{} and {}", a.name, b.name);
+                assert_ne!(a.name, b.name);
             }
             assert_eq!(a.command.row().name, a.name);
         }

@@ -1,28 +1,66 @@
 //! What panels and viewport ask for: they read the scene and return these; the editor alone carries them out.
 
-use super::selection::Selection;
+use super::selection::{Choose, Item};
 use crate::command::Command;
 use cloudwright_core::document::Edit;
-use cloudwright_core::scene::CameraId;
+use cloudwright_core::scene::{CameraId, CloudId};
 
 /// Something to be done after the panels are drawn.
 #[derive(Debug)]
 pub(crate) enum Action {
     /// A command of the table.
     Command(Command),
-    /// A value was changed: part of a gesture if `live`, which one undo point holds as a whole.
+    /// Values were changed: part of a gesture if `live`, which one undo point holds as a whole.
     Change {
         /// What the history calls it.
         name: &'static str,
-        /// The new value.
-        edit: Box<Edit>,
+        /// The new values.
+        edits: Vec<Edit>,
         /// Whether the button is still down.
         live: bool,
     },
     /// Choose something.
-    Select(Selection),
+    Select {
+        /// What.
+        items: Vec<Item>,
+        /// The placement in which boxes and sprites were picked.
+        through: Option<CloudId>,
+        /// Instead of what is selected, or with it.
+        how: Choose,
+    },
+    /// Something about how the scene is shown.
+    View(ViewChange),
     /// See what that camera sees.
     LookThrough(CameraId),
     /// Put that camera where the view is.
     SetFromView(CameraId),
+    /// Undo or redo until so many points are done.
+    JumpTo(usize),
+}
+
+/// A change to the view, which no undo takes back.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum ViewChange {
+    /// Hide it, or show it again.
+    Hidden(Item, bool),
+    /// Keep the pointer from picking it, or let it again.
+    Locked(Item, bool),
+    /// Another base altitude for the box tool, metres.
+    BaseAltitude(f64),
+    /// Steps that gestures snap to.
+    Snap(super::view::Snap),
+    /// How fast the time of day runs, hours a minute.
+    TimeSpeed(f64),
+}
+
+impl Action {
+    /// Selects one thing and nothing else.
+    pub(crate) fn select(item: Item) -> Self {
+        Self::Select { items: vec![item], through: None, how: Choose::Only }
+    }
+
+    /// One edit of a field.
+    pub(crate) fn change(name: &'static str, edit: Edit, live: bool) -> Self {
+        Self::Change { name, edits: vec![edit], live }
+    }
 }

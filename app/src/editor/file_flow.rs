@@ -4,7 +4,7 @@
 //! has saved or said not to. A scene that can't be opened leaves the present document alone.
 
 use super::files::{self, Ask, Reply, Waiting};
-use super::{Editor, Selection, Session, starter};
+use super::{Editor, Session, ViewState, starter};
 use crate::opening::{self, OpenError};
 use crate::storage;
 use cloudwright_core::formats::scene_file;
@@ -70,7 +70,7 @@ impl Editor {
     fn replace(&mut self, session: Session) {
         self.viewport.see(&session);
         self.session = session;
-        self.selection = Selection::Nothing;
+        self.view = ViewState { tool: self.view.tool, snap: self.view.snap, ..ViewState::default() };
     }
 
     pub(super) fn save(&mut self, context: &egui::Context) {

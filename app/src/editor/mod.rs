@@ -1,42 +1,55 @@
 //! The editor's window, frame by frame.
 //!
-//! A frame runs from top to bottom of `Editor::ui`: answers that arrived, keys, panels, their actions, viewport, its
-//! actions, dialogs. Panels only read and return actions; what they change shows in the viewport of the same frame.
+//! A frame runs from top to bottom of `Editor::ui`: answers that arrived, keys, bars and panels (the viewport is one),
+//! their actions, dialogs. Panels only read and return actions; what they change shows in the next frame.
 //! Selection, camera and layout are view state and never saved.
 
 mod action;
-mod carry_out;
 mod dialogs;
 mod file_flow;
 mod files;
+mod layout;
+mod perform;
 mod selection;
 mod session;
 mod starter;
+mod time_play;
+mod view;
 mod window;
 
-pub(crate) use action::Action;
+pub(crate) use action::{Action, ViewChange};
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
-pub use selection::Selection;
-pub(crate) use selection::box_of;
+pub use selection::{Choose, Item, Selection};
+pub(crate) use selection::{box_of, camera_of, group_of, model_of};
 pub use session::Session;
+pub use view::{Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
-use crate::command;
-use crate::panel;
+use crate::command::{self, Command};
+use crate::panel::{self, Palette, Panel, Reading};
 use crate::renderer::RendererChoice;
 use crate::theme;
 use crate::viewport::Viewport;
+use cloudwright_core::scene::{CameraId, ColorLevels};
 use dialogs::Dialogs;
 use eframe::egui_wgpu::RenderState;
 use file_flow::Intent;
 use files::Waiting;
+use layout::Layout;
 use std::path::PathBuf;
+use time_play::TimePlay;
 
 /// The editor: an open document, how it is looked at, and what is being asked.
 pub struct Editor {
     session: Session,
-    selection: Selection,
+    view: ViewState,
     viewport: Viewport,
+    layout: Layout,
+    palette: Option<Palette>,
+    time_play: TimePlay,
+    /// The camera that was looked through last by the key.
+    last_camera: Option<CameraId>,
+    copied_levels: Option<ColorLevels>,
     file_dialogs: Box<dyn FileDialogs>,
     waiting: Option<Waiting>,
     after_save: Option<Intent>,
@@ -76,7 +89,12 @@ impl Editor {
         let mut editor = Self {
             viewport: Viewport::new(context, &session, renderer, device),
             session,
-            selection: Selection::Nothing,
+            view: ViewState::default(),
+            layout: Layout::default(),
+            palette: None,
+            time_play: TimePlay::default(),
+            last_camera: None,
+            copied_levels: None,
             file_dialogs,
             waiting: None,
             after_save: None,
@@ -97,14 +115,20 @@ impl Editor {
         &self.session
     }
 
+    /// How the scene is looked at.
+    pub fn view(&self) -> &ViewState {
+        &self.view
+    }
+
     /// What is selected.
-    pub fn selection(&self) -> Selection {
-        self.selection
+    pub fn selection(&self) -> &Selection {
+        &self.view.selection
     }
 
     /// Selects something else.
     pub fn select(&mut self, selection: Selection) {
-        self.selection = selection.still_in(self.session.scene());
+        self.view.selection = selection;
+        self.view.keep_what_is_in(self.session.scene());
     }
 
     pub(crate) fn tell(&mut self, text: impl Into<String>) {
@@ -146,26 +170,37 @@ impl Editor {
         }
     }
 
+    fn state_of(&self, command: Command) -> panel::CommandState {
+        panel::CommandState { enabled: self.can(command), on: self.is_on(command) }
+    }
+
+    /// Bars and panels. What they ask for.
     fn panels(&mut self, ui: &mut egui::Ui) -> Vec<Action> {
         let mut actions = Vec::new();
-        let state = |command| panel::CommandState {
-            enabled: self.can(command),
-            on: command == command::Command::ShowBoxes && self.viewport.show_all_boxes,
-        };
+        let state = |command| self.state_of(command);
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
-        egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| {
-            panel::toolbar(ui, &state, &mut actions);
-        });
+        egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
             panel::status(ui, &self.session, &self.viewport, self.notice.as_ref());
         });
-        egui::Panel::left("outline").default_size(theme::OUTLINE_WIDTH).frame(theme::side(ui)).show(ui, |ui| {
-            panel::outline(ui, self.session.scene(), self.selection, &mut actions);
-        });
-        egui::Panel::right("inspector").default_size(theme::INSPECTOR_WIDTH).frame(theme::side(ui)).show(ui, |ui| {
-            panel::inspector(ui, &self.session, self.selection, &mut actions);
+        let Self { session, view, viewport, layout, .. } = self;
+        let reading = Reading { session, view };
+        egui::CentralPanel::no_frame().show(ui, |ui| {
+            layout.show(ui, |panel, ui| match panel {
+                Panel::Viewport => viewport.show(ui, &reading, &mut actions),
+                other => other.show(ui, &reading, &mut actions),
+            });
         });
         actions
+    }
+
+    fn show_palette(&mut self, context: &egui::Context) {
+        let Some(mut palette) = self.palette.take() else { return };
+        match palette.show(context, &|command| self.state_of(command)) {
+            Some(Some(command)) => self.perform(command, context),
+            Some(None) => {}
+            None => self.palette = Some(palette),
+        }
     }
 }
 
@@ -176,18 +211,14 @@ impl eframe::App for Editor {
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
         let mut actions: Vec<Action> = Vec::new();
-        if !self.dialogs.is_open() {
+        if !self.dialogs.is_open() && self.palette.is_none() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
         actions.extend(self.panels(ui));
         self.carry_out(actions, &context);
-        let mut actions = Vec::new();
-        egui::CentralPanel::no_frame().show(ui, |ui| {
-            self.viewport.show(ui, &self.session, self.selection, &mut actions);
-        });
-        self.carry_out(actions, &context);
         self.end_gesture_on_release(&context);
         self.show_dialogs(&context);
+        self.show_palette(&context);
         self.show_title(&context);
     }
 }

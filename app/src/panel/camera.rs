@@ -1,4 +1,4 @@
-//! A saved camera.
+//! Saved cameras.
 
 use super::fields::fields;
 use crate::editor::Action;
@@ -7,18 +7,24 @@ use cloudwright_core::parameter as p;
 use cloudwright_core::scene::Camera;
 use egui::Ui;
 
-pub(super) fn fields_of(ui: &mut Ui, camera: &Camera, actions: &mut Vec<Action>) {
-    ui.heading("Camera");
-    fields(ui, "Change camera", actions, |rows| {
-        let mut camera = camera.clone();
-        rows.text("Name", &mut camera.name);
-        rows.vector("Position", &p::POSITION, &mut camera.position);
-        rows.number(&p::HEADING_DEG, &mut camera.heading_deg);
-        rows.number(&p::PITCH_DEG, &mut camera.pitch_deg);
-        rows.number(&p::ROLL_DEG, &mut camera.roll_deg);
-        rows.number(&p::FIELD_OF_VIEW_DEG, &mut camera.field_of_view_deg);
-        Edit::Camera(ListEdit::Replace(camera))
-    });
+/// `cameras` has at least one, the one whose values are shown.
+pub(super) fn fields_of(ui: &mut Ui, cameras: &[Camera], actions: &mut Vec<Action>) {
+    fields(
+        ui,
+        "Change camera",
+        actions,
+        cameras,
+        |rows, camera| {
+            rows.text("Name", &mut camera.name);
+            rows.vector("Position", &p::POSITION, &mut camera.position);
+            rows.number(&p::HEADING_DEG, &mut camera.heading_deg);
+            rows.number(&p::PITCH_DEG, &mut camera.pitch_deg);
+            rows.number(&p::ROLL_DEG, &mut camera.roll_deg);
+            rows.number(&p::FIELD_OF_VIEW_DEG, &mut camera.field_of_view_deg);
+        },
+        |camera| Edit::Camera(ListEdit::Replace(camera)),
+    );
+    let Some(camera) = cameras.first() else { return };
     ui.horizontal(|ui| {
         if ui.button("Look through").on_hover_text("The view goes where this camera is.").clicked() {
             actions.push(Action::LookThrough(camera.id));

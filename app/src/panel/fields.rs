@@ -1,43 +1,83 @@
 //! Fields of the inspector: every number reads its [`Parameter`] for label, unit, range and tooltip.
 //!
-//! A [`Fields`] works on a copy of a thing and notes whether a field was touched and whether the gesture still goes
-//! on; the panel then returns the copy as one action. Each field has a name for screen readers and tests: the label,
-//! and for parts of a vector or range the label and the part.
+//! [`fields`] shows the rows of the first of several things, and gives the others what was changed in it: the same
+//! function that lays the rows out is run over each of them without a window, and finds the changed values by their
+//! names. Each value has a name, also for screen readers and tests: the label, and for parts of a vector or range the
+//! label and the part.
+
+pub(super) mod color;
+mod number;
+mod text;
 
 use crate::editor::Action;
 use crate::theme;
-use cloudwright_core::color::{Rgb, linear_from_srgb, srgb_from_linear};
 use cloudwright_core::document::Edit;
-use cloudwright_core::parameter::{self, Parameter};
-use egui::{DragValue, Grid, Id, Response, RichText, TextEdit, Ui};
+use cloudwright_core::parameter::Parameter;
+use egui::{Grid, Response, RichText, Ui};
 use glam::DVec3;
+use std::any::Any;
 
-/// Rows of a name and one or more values.
-pub(super) struct Fields<'u> {
-    ui: &'u mut Ui,
-    touched: bool,
+pub(super) use number::number_field;
+
+/// What was changed in the thing that is shown: names and values.
+type Record = Vec<(String, Box<dyn Any>)>;
+
+/// Rows of a name and one or more values, shown or filled in.
+pub(super) struct Fields<'a> {
+    ui: Option<&'a mut Ui>,
+    record: &'a mut Record,
 }
 
-/// Shows `rows` in two columns. If one was touched, `edit` is returned under `name`: as part of a gesture while a
-/// button is down.
-pub(super) fn fields(
+/// The values of one row.
+pub(super) struct Values<'a> {
+    ui: Option<&'a mut Ui>,
+    record: &'a mut Record,
+}
+
+/// Shows `rows` of the first of `things` in two columns. What was touched there is changed in all of them, by the edits
+/// that `edit` makes of the changed things, under `name`: as part of a gesture while a button is down.
+pub(super) fn fields<T: Clone>(
     ui: &mut Ui,
     name: &'static str,
     actions: &mut Vec<Action>,
-    rows: impl FnOnce(&mut Fields<'_>) -> Edit,
+    things: &[T],
+    rows: impl Fn(&mut Fields<'_>, &mut T),
+    edit: impl Fn(T) -> Edit,
 ) {
-    let grid = Grid::new(name).num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| {
-        let mut fields = Fields { ui, touched: false };
-        let edit = rows(&mut fields);
-        fields.touched.then_some(edit)
+    let Some((first, others)) = things.split_first() else { return };
+    let mut record = Record::new();
+    let mut first = first.clone();
+    Grid::new(name).num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| {
+        rows(&mut Fields { ui: Some(ui), record: &mut record }, &mut first);
     });
-    if let Some(edit) = grid.inner {
-        let live = ui.input(|input| input.pointer.any_down());
-        actions.push(Action::Change { name, edit: Box::new(edit), live });
+    if record.is_empty() {
+        return;
     }
+    let mut edits = vec![edit(first)];
+    edits.extend(others.iter().map(|other| {
+        let mut other = other.clone();
+        rows(&mut Fields { ui: None, record: &mut record }, &mut other);
+        edit(other)
+    }));
+    let live = ui.input(|input| input.pointer.any_down());
+    actions.push(Action::Change { name, edits, live });
 }
 
 impl Fields<'_> {
+    /// A row: its name, and what `values` puts beside it.
+    pub(super) fn row(&mut self, label: &str, doc: &str, values: impl FnOnce(&mut Values<'_>)) {
+        let record = &mut *self.record;
+        let Some(ui) = self.ui.as_deref_mut() else {
+            return values(&mut Values { ui: None, record });
+        };
+        let name = ui.label(label);
+        if !doc.is_empty() {
+            name.on_hover_text(doc);
+        }
+        ui.horizontal(|ui| values(&mut Values { ui: Some(ui), record }));
+        ui.end_row();
+    }
+
     /// A number under its parameter's own label.
     pub(super) fn number(&mut self, parameter: &Parameter, value: &mut f64) {
         self.labelled(parameter.label, parameter, value);
@@ -45,148 +85,108 @@ impl Fields<'_> {
 
     /// A number under another label.
     pub(super) fn labelled(&mut self, label: &str, parameter: &Parameter, value: &mut f64) {
-        self.row(label, parameter.doc, |ui| drag(ui, label, parameter, value, false));
+        self.row(label, parameter.doc, |values| values.number(label, parameter, value));
     }
 
     /// A whole number.
     pub(super) fn whole(&mut self, parameter: &Parameter, value: &mut u32) {
-        let mut number = f64::from(*value);
-        self.row(parameter.label, parameter.doc, |ui| drag(ui, parameter.label, parameter, &mut number, true));
-        *value = number as u32;
+        self.row(parameter.label, parameter.doc, |values| values.whole(parameter.label, parameter, value));
     }
 
     /// Three whole numbers along the axes.
     pub(super) fn whole_vector(&mut self, parameter: &Parameter, value: &mut [u32; 3]) {
-        self.row(parameter.label, parameter.doc, |ui| {
-            ["x", "y", "z"].iter().zip(value).fold(false, |touched, (axis, part)| {
-                let mut number = f64::from(*part);
-                let changed = drag(ui, &format!("{} {axis}", parameter.label), parameter, &mut number, true);
-                *part = number as u32;
-                touched | changed
-            })
+        self.row(parameter.label, parameter.doc, |values| {
+            for (axis, part) in AXES.iter().zip(value) {
+                values.whole(&format!("{} {axis}", parameter.label), parameter, part);
+            }
         });
     }
 
     /// A point or an extent.
     pub(super) fn vector(&mut self, label: &str, parameter: &Parameter, value: &mut DVec3) {
-        self.row(label, parameter.doc, |ui| {
-            let parts = ["x", "y", "z"].into_iter().zip([&mut value.x, &mut value.y, &mut value.z]);
-            parts.fold(false, |touched, (axis, part)| {
-                touched | drag(ui, &format!("{label} {axis}"), parameter, part, false)
-            })
+        self.row(label, parameter.doc, |values| {
+            for (axis, part) in AXES.iter().zip([&mut value.x, &mut value.y, &mut value.z]) {
+                values.number(&format!("{label} {axis}"), parameter, part);
+            }
         });
     }
 
     /// Smallest and largest. One pushes the other along, so that they never cross.
     pub(super) fn range(&mut self, label: &str, parameter: &Parameter, value: &mut [f64; 2]) {
-        self.row(label, parameter.doc, |ui| {
+        self.row(label, parameter.doc, |values| {
             let [low, high] = value;
-            let low_touched = drag(ui, &format!("{label} from"), parameter, low, false);
-            ui.label("to");
-            let high_touched = drag(ui, &format!("{label} to"), parameter, high, false);
-            if low_touched {
+            let before = [*low, *high];
+            values.number(&format!("{label} from"), parameter, low);
+            values.text("to");
+            values.number(&format!("{label} to"), parameter, high);
+            if *low != before[0] {
                 *high = high.max(*low);
             }
-            if high_touched {
+            if *high != before[1] {
                 *low = low.min(*high);
             }
-            low_touched || high_touched
-        });
-    }
-
-    /// A seed: any whole number, no use in dragging it.
-    pub(super) fn seed(&mut self, value: &mut u64) {
-        const DOC: &str = "Another number strews the sprites anew.";
-        self.row("Seed", DOC, |ui| {
-            let response = ui.add(DragValue::new(value).speed(0.05).update_while_editing(false));
-            name_it(ui, &response, "Seed");
-            response.on_hover_text(DOC).changed()
-        });
-    }
-
-    /// A name. It is taken over when the field is left.
-    pub(super) fn text(&mut self, label: &str, value: &mut String) {
-        self.row(label, "", |ui| {
-            let id: Id = ui.next_auto_id();
-            let mut typed = ui.data(|data| data.get_temp(id)).unwrap_or_else(|| value.clone());
-            let response = ui.add(TextEdit::singleline(&mut typed).desired_width(f32::INFINITY));
-            name_it(ui, &response, label);
-            if response.has_focus() {
-                ui.data_mut(|data| data.insert_temp(id, typed));
-                return false;
-            }
-            ui.data_mut(|data| data.remove::<String>(id));
-            let kept = response.lost_focus() && !ui.input(|input| input.key_pressed(egui::Key::Escape));
-            let changed = kept && typed != *value;
-            if changed {
-                *value = typed;
-            }
-            changed
         });
     }
 
     /// One of a few.
-    pub(super) fn choice<T: PartialEq + Clone>(&mut self, label: &str, doc: &str, value: &mut T, all: &[(T, String)]) {
-        self.row(label, doc, |ui| {
-            let shown = all.iter().find(|(each, _)| each == value).map_or("", |(_, name)| name);
-            let combo = egui::ComboBox::from_id_salt(label).selected_text(shown).show_ui(ui, |ui| {
-                let mut touched = false;
-                for (each, name) in all {
-                    touched |= ui.selectable_value(value, each.clone(), name).changed();
-                }
-                touched
+    pub(super) fn choice<T: PartialEq + Clone + 'static>(
+        &mut self,
+        label: &str,
+        doc: &str,
+        value: &mut T,
+        all: &[(T, String)],
+    ) {
+        self.row(label, doc, |values| {
+            values.value(label, value, |ui, value| {
+                let before = value.clone();
+                let shown = all.iter().find(|(each, _)| each == value).map_or("", |(_, name)| name);
+                let combo = egui::ComboBox::from_id_salt(label).selected_text(shown).show_ui(ui, |ui| {
+                    for (each, name) in all {
+                        ui.selectable_value(value, each.clone(), name);
+                    }
+                });
+                name_it(ui, &combo.response, label);
+                *value != before
             });
-            name_it(ui, &combo.response, label);
-            combo.inner.unwrap_or(false)
         });
     }
 
     /// Yes or no.
     pub(super) fn check(&mut self, label: &str, doc: &str, value: &mut bool) {
-        self.row("", "", |ui| ui.checkbox(value, label).on_hover_text(doc).changed());
-    }
-
-    /// A colour with its brightness beside it: the picker shows sRGB, which ends at white.
-    pub(super) fn color(&mut self, label: &str, value: &mut Rgb, alpha: Option<&mut f32>) {
-        self.row(label, parameter::COLOR.doc, |ui| {
-            let brightness = value.to_array().into_iter().fold(1.0, f32::max);
-            let mut srgb = (*value * (1.0 / brightness)).to_array().map(|c| srgb_from_linear(c.clamp(0.0, 1.0)));
-            let mut bright = f64::from(brightness);
-            let mut bytes = srgb.map(|c| (c * 255.0).round() as u8);
-            let response = ui.color_edit_button_srgb(&mut bytes);
-            name_it(ui, &response, label);
-            let mut touched = response.on_hover_text(parameter::COLOR.doc).changed();
-            if touched {
-                srgb = bytes.map(|c| f32::from(c) / 255.0);
-            }
-            let times =
-                Parameter { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..parameter::COLOR };
-            touched |= drag(ui, &format!("{label} brightness"), &times, &mut bright, false);
-            if touched {
-                let [r, g, b] = srgb.map(|c| linear_from_srgb(c) * bright as f32);
-                *value = Rgb::new(r, g, b);
-            }
-            if let Some(alpha) = alpha {
-                let mut opacity = f64::from(*alpha);
-                if drag(ui, &format!("{label} opacity"), &parameter::ALPHA, &mut opacity, false) {
-                    *alpha = opacity as f32;
-                    touched = true;
-                }
-            }
-            touched
+        self.row("", "", |values| {
+            values.value(label, value, |ui, value| ui.checkbox(value, label).on_hover_text(doc).changed());
         });
     }
+}
 
-    /// A row of the caller's own.
-    pub(super) fn row(&mut self, label: &str, doc: &str, content: impl FnOnce(&mut Ui) -> bool) {
-        let name = self.ui.label(label);
-        if !doc.is_empty() {
-            name.on_hover_text(doc);
+impl Values<'_> {
+    /// One value: `show` puts it on the screen and tells whether it was changed.
+    pub(super) fn value<T: Clone + 'static>(
+        &mut self,
+        name: &str,
+        value: &mut T,
+        show: impl FnOnce(&mut Ui, &mut T) -> bool,
+    ) {
+        if let Some(ui) = self.ui.as_deref_mut() {
+            if show(ui, value) {
+                self.record.push((name.into(), Box::new(value.clone())));
+            }
+        } else if let Some((_, changed)) = self.record.iter().find(|(each, _)| each == name)
+            && let Some(changed) = changed.downcast_ref::<T>()
+        {
+            *value = changed.clone();
         }
-        self.touched |= self.ui.horizontal(content).inner;
-        self.ui.end_row();
+    }
+
+    /// Words between values.
+    pub(super) fn text(&mut self, text: &str) {
+        if let Some(ui) = self.ui.as_deref_mut() {
+            ui.label(text);
+        }
     }
 }
+
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A line between groups of rows.
 pub(super) fn heading(ui: &mut Ui, text: &str) {
@@ -195,51 +195,7 @@ pub(super) fn heading(ui: &mut Ui, text: &str) {
     ui.separator();
 }
 
-/// The one field for a number. Whether it was changed.
-fn drag(ui: &mut Ui, name: &str, parameter: &Parameter, value: &mut f64, whole: bool) -> bool {
-    let before = *value;
-    let mut field = DragValue::new(value)
-        .range(parameter.min..=parameter.max)
-        .clamp_existing_to_range(false)
-        .update_while_editing(false)
-        .speed(speed(parameter, before, whole))
-        .max_decimals(if whole { 0 } else { 3 })
-        .min_size(egui::vec2(theme::NUMBER_WIDTH, ui.spacing().interact_size.y));
-    if !parameter.unit.is_empty() {
-        let space = if parameter.unit == "°" { "" } else { " " };
-        field = field.suffix(format!("{space}{}", parameter.unit));
-    }
-    let response = ui.add(field);
-    name_it(ui, &response, name);
-    let changed = response.changed();
-    response.on_hover_text(tooltip(name, parameter));
-    // "nan" can be typed.
-    if !parameter.allows(*value) {
-        *value = before;
-    }
-    changed && *value != before
-}
-
-/// What a point of dragging changes: a length by its own size, anything else by its range.
-fn speed(parameter: &Parameter, value: f64, whole: bool) -> f64 {
-    if whole {
-        return 0.25;
-    }
-    match parameter.unit {
-        "m" => (value.abs() * 0.01).clamp(0.1, 1e4),
-        "°" => 0.5,
-        "h" => 0.02,
-        "EV" => 0.02,
-        _ => ((parameter.max - parameter.min) * 0.002).min(0.01),
-    }
-}
-
-fn tooltip(name: &str, parameter: &Parameter) -> String {
-    let Parameter { min, max, unit, doc, .. } = parameter;
-    format!("{name}: {doc}\n{min} to {max} {unit}").trim_end().into()
-}
-
 /// What screen readers call it, and tests.
-fn name_it(ui: &Ui, response: &Response, name: &str) {
+pub(super) fn name_it(ui: &Ui, response: &Response, name: &str) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
 }

@@ -1,41 +1,72 @@
-//! The values of what is selected, and below them time and sky.
+//! The values of what is selected. Several things of the primary's kind are changed together.
 
-use super::fields::heading;
-use super::{camera, cloud, cloud_box, model, sky};
-use crate::editor::{Action, Selection, Session, box_of};
+use super::{Reading, camera, cloud, cloud_box, model};
+use crate::editor::{Action, Item, box_of, camera_of};
 use egui::{ScrollArea, Ui};
 
-/// The panel on the right.
-pub(crate) fn inspector(ui: &mut Ui, session: &Session, selected: Selection, actions: &mut Vec<Action>) {
-    let scene = session.scene();
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        match selected {
-            Selection::Nothing => {
-                ui.heading("Nothing selected");
-                ui.weak("Click a cloud, or choose something on the left.");
-            }
-            Selection::Model(id) => {
-                if let Some(found) = scene.model(id) {
-                    ui.push_id(id, |ui| model::fields_of(ui, found, actions));
-                }
-            }
-            Selection::Box(of, id) => {
-                if let (Some(model), Some(found)) = (scene.model(of), box_of(scene, of, id)) {
-                    ui.push_id(id, |ui| cloud_box::fields_of(ui, model, found, session, actions));
-                }
-            }
-            Selection::Cloud(id) => {
-                if let Some(found) = scene.cloud(id) {
-                    ui.push_id(id, |ui| cloud::fields_of(ui, found, session, actions));
-                }
-            }
-            Selection::Camera(id) => {
-                if let Some(found) = scene.cameras.iter().find(|camera| camera.id == id) {
-                    ui.push_id(id, |ui| camera::fields_of(ui, found, actions));
-                }
+/// The panel.
+pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| match reading.view.selection.primary() {
+        None => {
+            ui.heading("Nothing selected");
+            ui.weak("Click a cloud, or choose something in the outline.");
+        }
+        Some(primary) => {
+            ui.push_id(primary, |ui| of(ui, primary, reading, actions));
+        }
+    });
+}
+
+fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let scene = reading.session.scene();
+    // The primary first.
+    let chosen = || reading.view.selection.items().iter().rev();
+    match primary {
+        Item::Model(_) => {
+            let models: Vec<_> = chosen()
+                .filter_map(|item| if let Item::Model(id) = item { scene.model(*id) } else { None })
+                .cloned()
+                .collect();
+            title(ui, "Cloud model", models.len());
+            model::fields_of(ui, &models, actions);
+        }
+        Item::Box(of, _) | Item::Sprite(of, ..) => {
+            let boxes: Vec<_> = chosen()
+                .filter_map(|item| match item {
+                    Item::Box(of, id) => Some((*of, box_of(scene, *of, *id)?.clone())),
+                    _ => None,
+                })
+                .collect();
+            title(ui, "Box", boxes.len());
+            if let Some(model) = scene.model(of) {
+                cloud_box::fields_of(ui, model, &boxes, reading, actions);
             }
         }
-        heading(ui, "Time and sky");
-        sky::fields_of(ui, scene, actions);
-    });
+        Item::Group(..) => {
+            ui.heading("Shading group");
+        }
+        Item::Cloud(_) => {
+            let clouds: Vec<_> = chosen()
+                .filter_map(|item| if let Item::Cloud(id) = item { scene.cloud(*id) } else { None })
+                .cloned()
+                .collect();
+            title(ui, "Cloud", clouds.len());
+            cloud::fields_of(ui, &clouds, reading, actions);
+        }
+        Item::Camera(_) => {
+            let cameras: Vec<_> = chosen()
+                .filter_map(|item| if let Item::Camera(id) = item { camera_of(scene, *id) } else { None })
+                .cloned()
+                .collect();
+            title(ui, "Camera", cameras.len());
+            camera::fields_of(ui, &cameras, actions);
+        }
+    }
+}
+
+fn title(ui: &mut Ui, kind: &str, count: usize) {
+    ui.heading(kind);
+    if count > 1 {
+        ui.weak(format!("{count} selected: changes go to all of them"));
+    }
 }

@@ -1,17 +1,114 @@
 //! The window's panels, one file each. They read the scene and return actions; none changes anything itself.
+//!
+//! A new panel is a file here, a variant with its row in [`Panel::show`], and a command that brings it up.
 
 mod bars;
 mod camera;
 mod cloud;
 mod cloud_box;
+mod color_levels;
 mod fields;
+mod history;
 mod inspector;
 mod model;
 mod outline;
+mod palette;
+mod problems;
+mod shading_groups;
 mod sky;
 mod status;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
-pub(crate) use inspector::inspector;
-pub(crate) use outline::outline;
+pub(crate) use palette::Palette;
 pub(crate) use status::status;
+
+use crate::editor::{Action, Session, ViewState};
+use crate::theme::icon;
+use egui::Ui;
+use serde::{Deserialize, Serialize};
+
+/// A panel that can be docked.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Panel {
+    /// The picture and the hands on it.
+    Viewport,
+    /// Models, clouds and cameras as a tree.
+    Outline,
+    /// The values of what is selected.
+    Inspector,
+    /// The five colour levels.
+    ColorLevels,
+    /// Which sprites take the sun as one lump.
+    ShadingGroups,
+    /// Light, time and place.
+    Sky,
+    /// All changes.
+    History,
+    /// What is wrong with the scene.
+    Problems,
+}
+
+/// What panels read.
+#[derive(Clone, Copy)]
+pub(crate) struct Reading<'a> {
+    /// The open document.
+    pub(crate) session: &'a Session,
+    /// How it is looked at.
+    pub(crate) view: &'a ViewState,
+}
+
+impl Panel {
+    /// All but the viewport.
+    pub(crate) const AROUND: [Self; 7] = [
+        Self::Outline,
+        Self::Inspector,
+        Self::ColorLevels,
+        Self::ShadingGroups,
+        Self::Sky,
+        Self::History,
+        Self::Problems,
+    ];
+
+    /// On its tab.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Viewport => "Viewport",
+            Self::Outline => "Outline",
+            Self::Inspector => "Inspector",
+            Self::ColorLevels => "Colour levels",
+            Self::ShadingGroups => "Shading groups",
+            Self::Sky => "Sky",
+            Self::History => "History",
+            Self::Problems => "Problems",
+        }
+    }
+
+    /// Before its name.
+    pub(crate) fn icon(self) -> &'static str {
+        match self {
+            Self::Viewport => icon::CAMERA,
+            Self::Outline => icon::TREE_STRUCTURE,
+            Self::Inspector => icon::SLIDERS_HORIZONTAL,
+            Self::ColorLevels => icon::GRADIENT,
+            Self::ShadingGroups => icon::STACK,
+            Self::Sky => icon::SUN,
+            Self::History => icon::CLOCK_COUNTER_CLOCKWISE,
+            Self::Problems => icon::WARNING,
+        }
+    }
+
+    /// Shows it. The viewport shows itself.
+    pub(crate) fn show(self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+        match self {
+            Self::Viewport => {}
+            Self::Outline => outline::show(ui, reading, actions),
+            Self::Inspector => inspector::show(ui, reading, actions),
+            Self::ColorLevels => color_levels::show(ui, reading, actions),
+            Self::ShadingGroups => shading_groups::show(ui, reading, actions),
+            Self::Sky => sky::show(ui, reading, actions),
+            Self::History => history::show(ui, reading, actions),
+            Self::Problems => problems::show(ui, reading, actions),
+        }
+    }
+}

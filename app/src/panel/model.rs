@@ -1,6 +1,6 @@
-//! A cloud model: category, culling and colour levels. Its boxes are in the outline.
+//! Cloud models: category and culling. Boxes are in the outline, colours in their own panel.
 
-use super::fields::{fields, heading};
+use super::fields::{Fields, fields};
 use crate::command::Command;
 use crate::editor::Action;
 use cloudwright_core::document::{Edit, ListEdit};
@@ -15,59 +15,54 @@ enum CullKind {
     Metres,
 }
 
-pub(super) fn fields_of(ui: &mut Ui, model: &CloudModel, actions: &mut Vec<Action>) {
-    ui.heading("Cloud model");
-    fields(ui, "Change model", actions, |rows| {
-        let mut model = model.clone();
-        rows.text("Name", &mut model.name);
-        let categories: Vec<_> = Category::ALL.into_iter().map(|each| (each, category_name(each))).collect();
-        rows.choice("Category", "Which tiles its boxes show.", &mut model.category, &categories);
-        rows.seed(&mut model.seed);
-        let before = cull_kind(model.cull_radius);
-        let mut kind = before;
-        let kinds = [
-            (CullKind::Sprite, "share of the sprite's size".into()),
-            (CullKind::Height, "share of the cloud's height".into()),
-            (CullKind::Metres, "metres".into()),
-        ];
-        rows.choice("Cull by", "What the cull radius is measured in.", &mut kind, &kinds);
-        if kind != before {
-            model.cull_radius = match kind {
-                CullKind::Sprite => CullRadius::SpriteFraction(p::CULL_FRACTION.default),
-                CullKind::Height => CullRadius::CloudHeightFraction(p::CULL_FRACTION.default),
-                CullKind::Metres => CullRadius::Metres(p::CULL_METRES.default),
-            };
-        }
-        match &mut model.cull_radius {
-            CullRadius::SpriteFraction(share) | CullRadius::CloudHeightFraction(share) => {
-                rows.number(&p::CULL_FRACTION, share);
+/// `models` has at least one, the one whose values are shown.
+pub(super) fn fields_of(ui: &mut Ui, models: &[CloudModel], actions: &mut Vec<Action>) {
+    let categories: Vec<_> = Category::ALL.into_iter().map(|each| (each, category_name(each))).collect();
+    fields(
+        ui,
+        "Change model",
+        actions,
+        models,
+        |rows, model| {
+            rows.text("Name", &mut model.name);
+            rows.choice("Category", "Which tiles its boxes show.", &mut model.category, &categories);
+            rows.seed(&mut model.seed);
+            cull(rows, &mut model.cull_radius);
+        },
+        |model| Edit::Model(ListEdit::Replace(model)),
+    );
+    ui.horizontal(|ui| {
+        for command in [Command::AddBox, Command::PlaceModel, Command::Reroll] {
+            let row = command.row();
+            if ui.button(row.label()).on_hover_text(row.tooltip(ui.ctx())).clicked() {
+                actions.push(Action::Command(command));
             }
-            CullRadius::Metres(metres) => rows.number(&p::CULL_METRES, metres),
         }
-        Edit::Model(ListEdit::Replace(model))
     });
-    if ui.button("Add box").on_hover_text(Command::AddBox.row().help).clicked() {
-        actions.push(Action::Command(Command::AddBox));
-    }
-    heading(ui, "Colour levels");
-    levels(ui, model, actions);
 }
 
-/// Highest first, as they lie in the cloud.
-fn levels(ui: &mut Ui, model: &CloudModel, actions: &mut Vec<Action>) {
-    fields(ui, "Change colour levels", actions, |rows| {
-        let mut model = model.clone();
-        for i in (0..model.color_levels.len()).rev() {
-            let lowest = if i > 0 { model.color_levels[i - 1].height } else { 0.0 };
-            let highest = model.color_levels.get(i + 1).map_or(1.0, |level| level.height);
-            let level = &mut model.color_levels[i];
-            rows.labelled(&format!("Level {} height", i + 1), &p::LEVEL_HEIGHT, &mut level.height);
-            // Levels stay in order: one stops at its neighbour.
-            level.height = level.height.clamp(lowest, highest.max(lowest));
-            rows.color(&format!("Level {} colour", i + 1), &mut level.color.rgb, Some(&mut level.color.a));
+fn cull(rows: &mut Fields<'_>, radius: &mut CullRadius) {
+    let before = cull_kind(*radius);
+    let mut kind = before;
+    let kinds = [
+        (CullKind::Sprite, "share of the sprite's size".into()),
+        (CullKind::Height, "share of the cloud's height".into()),
+        (CullKind::Metres, "metres".into()),
+    ];
+    rows.choice("Cull by", "What the cull radius is measured in.", &mut kind, &kinds);
+    if kind != before {
+        *radius = match kind {
+            CullKind::Sprite => CullRadius::SpriteFraction(p::CULL_FRACTION.default),
+            CullKind::Height => CullRadius::CloudHeightFraction(p::CULL_FRACTION.default),
+            CullKind::Metres => CullRadius::Metres(p::CULL_METRES.default),
+        };
+    }
+    match radius {
+        CullRadius::SpriteFraction(share) | CullRadius::CloudHeightFraction(share) => {
+            rows.number(&p::CULL_FRACTION, share);
         }
-        Edit::Model(ListEdit::Replace(model))
-    });
+        CullRadius::Metres(metres) => rows.number(&p::CULL_METRES, metres),
+    }
 }
 
 fn cull_kind(radius: CullRadius) -> CullKind {

@@ -8,7 +8,8 @@ mod pick;
 mod picture;
 mod wireframe;
 
-use crate::editor::{Action, Selection, Session};
+use crate::editor::{Action, Choose, Selection, Session};
+use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use crate::theme;
 use cloudwright_core::camera::View;
@@ -26,8 +27,6 @@ use std::time::Duration;
 pub(crate) struct Viewport {
     navigation: Navigation,
     picture: PictureSource,
-    /// The outlines of all boxes, not only of selected ones.
-    pub(crate) show_all_boxes: bool,
 }
 
 impl Viewport {
@@ -41,7 +40,6 @@ impl Viewport {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             picture: PictureSource::new(context, choice, device),
-            show_all_boxes: false,
         };
         viewport.see(session);
         viewport
@@ -51,7 +49,7 @@ impl Viewport {
     pub(crate) fn see(&mut self, session: &Session) {
         match session.scene().cameras.first() {
             Some(camera) => self.look_through(camera, session),
-            None => self.frame(Selection::Nothing, session),
+            None => self.frame(&Selection::default(), session),
         }
     }
 
@@ -67,7 +65,7 @@ impl Viewport {
     }
 
     /// Brings a selection into view; all clouds for nothing.
-    pub(crate) fn frame(&mut self, selection: Selection, session: &Session) {
+    pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = pick::bounds(selection, session) {
             self.navigation.frame(center, radius);
         }
@@ -93,7 +91,8 @@ impl Viewport {
         self.picture.time()
     }
 
-    pub(crate) fn show(&mut self, ui: &mut Ui, session: &Session, selected: Selection, actions: &mut Vec<Action>) {
+    pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+        let session = reading.session;
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Viewport"));
         // In points: navigation and outlines don't care how fine the picture is.
@@ -104,7 +103,9 @@ impl Viewport {
             && let Some(at) = response.interact_pointer_pos()
         {
             let ray = ray_at(&view, rect, at);
-            actions.push(Action::Select(pick::pick(&view, ray, session, selected)));
+            let picked = pick::pick(&view, ray, reading);
+            let items = picked.map(|(item, _)| item).into_iter().collect();
+            actions.push(Action::Select { items, through: picked.map(|(_, cloud)| cloud), how: Choose::Only });
         }
         let quick = response.dragged() || session.document().is_open();
         let pixels = (rect.size() * ui.pixels_per_point()).round();
@@ -119,7 +120,7 @@ impl Viewport {
                 painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
             }
         }
-        wireframe::paint(&painter, rect, &view, session.scene(), selected, self.show_all_boxes);
+        wireframe::paint(&painter, rect, &view, session.scene(), reading.view);
         hint(&painter, rect);
     }
 

@@ -1,6 +1,7 @@
 //! What lies under the pointer, and where: sprites stand in as spheres.
 
-use crate::editor::{Selection, Session, box_of};
+use crate::editor::{Item, Selection, Session, box_of, model_of};
+use crate::panel::Reading;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::{BoxId, CloudId};
 use cloudwright_core::sprites::PlacedCloud;
@@ -15,16 +16,18 @@ struct Hit {
     box_id: BoxId,
 }
 
-/// Chooses the cloud that a ray meets first; the box in it if the cloud, or one of its boxes, is chosen already.
-pub(super) fn pick(view: &View, ray: Vec3, session: &Session, selected: Selection) -> Selection {
-    let Some(hit) = nearest(view, ray, session) else { return Selection::Nothing };
-    let Some(cloud) = session.scene().cloud(hit.cloud) else { return Selection::Nothing };
-    let inside = match selected {
-        Selection::Cloud(id) => id == hit.cloud,
-        Selection::Box(model, _) | Selection::Model(model) => model == cloud.model,
-        Selection::Nothing | Selection::Camera(_) => false,
+/// The cloud that a ray meets first; the box in it if the cloud, or one of its boxes, is chosen already. With the
+/// cloud in which it was met.
+pub(super) fn pick(view: &View, ray: Vec3, reading: &Reading<'_>) -> Option<(Item, CloudId)> {
+    let scene = reading.session.scene();
+    let hit = nearest(view, ray, reading.session)?;
+    let cloud = scene.cloud(hit.cloud)?;
+    let inside = match reading.view.selection.primary() {
+        Some(Item::Cloud(id)) => id == hit.cloud,
+        Some(item) => model_of(item, scene) == Some(cloud.model),
+        None => false,
     };
-    if inside { Selection::Box(cloud.model, hit.box_id) } else { Selection::Cloud(hit.cloud) }
+    Some((if inside { Item::Box(cloud.model, hit.box_id) } else { Item::Cloud(hit.cloud) }, hit.cloud))
 }
 
 /// View depth along a ray of the nearest cloud, or else of the ground, metres.
@@ -59,28 +62,12 @@ fn meets(ray: Vec3, center: Vec3, radius: f32) -> Option<f32> {
 }
 
 /// Centre and radius of a sphere around a selection; around all clouds for nothing.
-pub(super) fn bounds(selection: Selection, session: &Session) -> Option<(DVec3, f64)> {
-    let scene = session.scene();
+pub(super) fn bounds(selection: &Selection, session: &Session) -> Option<(DVec3, f64)> {
     let clouds = session.derived().clouds();
-    let sphere = |cloud: &PlacedCloud| (cloud.origin + cloud.center.as_dvec3(), f64::from(cloud.reach));
-    let spheres: Vec<(DVec3, f64)> = match selection {
-        Selection::Nothing => clouds.iter().map(sphere).collect(),
-        Selection::Cloud(id) => clouds.iter().filter(|cloud| cloud.id == id).map(sphere).collect(),
-        Selection::Model(id) => {
-            let placed = |cloud: &&PlacedCloud| scene.cloud(cloud.id).is_some_and(|cloud| cloud.model == id);
-            clouds.iter().filter(placed).map(sphere).collect()
-        }
-        // Of the first cloud with that box: all of them might be far apart.
-        Selection::Box(model, id) => {
-            let cloud = scene.clouds.iter().find(|cloud| cloud.model == model);
-            let found = box_of(scene, model, id).zip(cloud);
-            let sphere = found.map(|(each, cloud)| {
-                let center = super::wireframe::to_world(cloud, each.center);
-                (center, each.size.length() * 0.5 * cloud.scale)
-            });
-            sphere.into_iter().collect()
-        }
-        Selection::Camera(_) => Vec::new(),
+    let spheres: Vec<(DVec3, f64)> = if selection.is_empty() {
+        clouds.iter().map(sphere).collect()
+    } else {
+        selection.items().iter().flat_map(|item| spheres(*item, selection, session)).collect()
     };
     let (low, high) = spheres
         .iter()
@@ -89,4 +76,29 @@ pub(super) fn bounds(selection: Selection, session: &Session) -> Option<(DVec3, 
     let center = (low + high) * 0.5;
     let radius = spheres.iter().map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
     Some((center, radius))
+}
+
+fn sphere(cloud: &PlacedCloud) -> (DVec3, f64) {
+    (cloud.origin + cloud.center.as_dvec3(), f64::from(cloud.reach))
+}
+
+fn spheres(item: Item, selection: &Selection, session: &Session) -> Vec<(DVec3, f64)> {
+    let scene = session.scene();
+    match item {
+        Item::Cloud(id) => session.placed(id).map(sphere).into_iter().collect(),
+        Item::Model(id) | Item::Group(id, _) => {
+            let placed = scene.clouds.iter().filter(|cloud| cloud.model == id);
+            placed.filter_map(|cloud| session.placed(cloud.id)).map(sphere).collect()
+        }
+        // In the cloud that it was picked in: all of them might be far apart.
+        Item::Box(model, id) | Item::Sprite(model, id, _) => {
+            let found = box_of(scene, model, id).zip(selection.cloud(scene));
+            let sphere = found.map(|(each, cloud)| {
+                let center = super::wireframe::to_world(cloud, each.center);
+                (center, each.size.length() * 0.5 * cloud.scale)
+            });
+            sphere.into_iter().collect()
+        }
+        Item::Camera(_) => Vec::new(),
+    }
 }

@@ -1,6 +1,6 @@
 //! Outlines of boxes, painted over the picture: in the world, cut off at the near plane and at the viewport's rim.
 
-use crate::editor::Selection;
+use crate::editor::{Item, ViewState};
 use crate::theme;
 use cloudwright_core::camera::{NEAR_M, View};
 use cloudwright_core::scene::{Cloud, CloudBox, Scene};
@@ -11,22 +11,16 @@ use glam::{DQuat, DVec3, Vec3};
 const EDGES: [(usize, usize); 12] =
     [(0, 1), (2, 3), (4, 5), (6, 7), (0, 2), (1, 3), (4, 6), (5, 7), (0, 4), (1, 5), (2, 6), (3, 7)];
 
-/// Paints what the selection asks for, and all boxes if `all`.
-pub(super) fn paint(painter: &Painter, rect: Rect, view: &View, scene: &Scene, selected: Selection, all: bool) {
+/// Paints the boxes that the selection asks for, and all if the view says so.
+pub(super) fn paint(painter: &Painter, rect: Rect, view: &View, scene: &Scene, state: &ViewState) {
     // What is selected comes last, on top.
     let mut on_top = Vec::new();
-    for cloud in &scene.clouds {
+    for cloud in scene.clouds.iter().filter(|cloud| state.shows(cloud)) {
         let Some(model) = scene.model(cloud.model) else { continue };
         for each in &model.boxes {
-            let chosen = match selected {
-                Selection::Box(of, id) if of == model.id && id == each.id => Some(theme::SELECTED_BOX),
-                Selection::Cloud(id) if id == cloud.id => Some(theme::SELECTED_BOX),
-                Selection::Model(id) | Selection::Box(id, _) if id == model.id => Some(theme::RELATED_BOX),
-                _ => None,
-            };
-            match chosen {
+            match stroke_of(cloud, each, state) {
                 Some(stroke) => on_top.push((cloud, each, stroke)),
-                None if all => outline(painter, rect, view, cloud, each, theme::OTHER_BOX),
+                None if state.show_all_boxes => outline(painter, rect, view, cloud, each, theme::OTHER_BOX),
                 None => {}
             }
         }
@@ -35,6 +29,19 @@ pub(super) fn paint(painter: &Painter, rect: Rect, view: &View, scene: &Scene, s
     for (cloud, each, stroke) in on_top {
         outline(painter, rect, view, cloud, each, stroke);
     }
+}
+
+/// How a box stands out; none for one that has nothing to do with the selection.
+fn stroke_of(cloud: &Cloud, each: &CloudBox, state: &ViewState) -> Option<Stroke> {
+    let strokes = state.selection.items().iter().filter_map(|item| match *item {
+        Item::Box(of, id) if of == cloud.model && id == each.id => Some(theme::SELECTED_BOX),
+        Item::Cloud(id) if id == cloud.id => Some(theme::SELECTED_BOX),
+        Item::Model(of) | Item::Box(of, _) | Item::Sprite(of, ..) | Item::Group(of, _) if of == cloud.model => {
+            Some(theme::RELATED_BOX)
+        }
+        _ => None,
+    });
+    strokes.max_by_key(|stroke| *stroke == theme::SELECTED_BOX)
 }
 
 /// A point of a cloud's model in the world.

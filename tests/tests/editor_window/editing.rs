@@ -1,7 +1,7 @@
 //! Values, history, and things added and taken out.
 
 use crate::Window;
-use cloudwright::editor::Selection;
+use cloudwright::editor::{Item, Selection};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 
@@ -10,7 +10,7 @@ fn with_box() -> Window {
     let mut window = Window::open();
     window.settle();
     window.press("body");
-    assert!(matches!(window.harness.state().selection(), Selection::Box(..)));
+    assert!(matches!(window.harness.state().selection().primary(), Some(Item::Box(..))));
     window
 }
 
@@ -83,7 +83,7 @@ fn values_out_of_range_are_not_taken() {
     }
     assert_eq!(window.scene(), &scene);
     window.set("Width from", 5000.0);
-    let Selection::Box(model, id) = window.harness.state().selection() else { panic!("a box is selected") };
+    let Some(Item::Box(model, id)) = window.harness.state().selection().primary() else { panic!("a box is selected") };
     let model = window.scene().model(model).expect("it is there");
     let width = model.boxes.iter().find(|each| each.id == id).expect("it is there").width;
     assert_eq!(width, [5000.0, 5000.0], "the smallest pushes the largest along");
@@ -93,17 +93,17 @@ fn values_out_of_range_are_not_taken() {
 fn too_many_sprites_are_refused_with_a_reason() {
     let mut window = with_box();
     for _ in 0..4 {
-        window.harness.state_mut().select(Selection::Nothing);
+        window.harness.state_mut().select(Selection::default());
         window.settle();
         window.press("Add cloud");
     }
     window.press("body");
     let model = window.scene().models[0].id;
-    window.harness.state_mut().select(Selection::Model(model));
+    window.harness.state_mut().select(Selection::of([Item::Model(model)]));
     window.settle();
     let context = window.harness.ctx.clone();
     for _ in 0..4 {
-        window.harness.state_mut().select(Selection::Model(model));
+        window.harness.state_mut().select(Selection::of([Item::Model(model)]));
         window.harness.state_mut().perform(cloudwright::command::Command::PlaceModel, &context);
     }
     window.press("body");
@@ -140,7 +140,7 @@ fn things_are_added_duplicated_and_deleted() {
     window.press("Add camera");
     assert_eq!(window.scene().cameras.len(), 2);
     let model = window.scene().models[0].id;
-    window.harness.state_mut().select(Selection::Model(model));
+    window.harness.state_mut().select(Selection::of([Item::Model(model)]));
     window.settle();
     window.keys(Modifiers::NONE, Key::Delete);
     assert_eq!((window.scene().models.len(), window.scene().clouds.len()), (1, 1), "a model goes with its clouds");

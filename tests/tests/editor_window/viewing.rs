@@ -1,7 +1,7 @@
 //! Selection both ways, and the hands on the viewport. None of it changes the scene.
 
 use crate::Window;
-use cloudwright::editor::Selection;
+use cloudwright::editor::Item;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 use egui_kittest::kittest::Queryable;
@@ -19,14 +19,14 @@ fn a_click_selects_a_cloud_and_then_a_box() {
         window.settle();
     };
     click(&mut window, middle);
-    assert_eq!(window.harness.state().selection(), Selection::Cloud(cloud));
+    assert_eq!(window.harness.state().selection().primary(), Some(Item::Cloud(cloud)));
     click(&mut window, middle);
-    assert!(matches!(window.harness.state().selection(), Selection::Box(..)));
+    assert!(matches!(window.harness.state().selection().primary(), Some(Item::Box(..))));
     let corner = window.harness.get_by_label("Viewport").rect().left_top() + vec2(5.0, 5.0);
     click(&mut window, corner);
-    assert_eq!(window.harness.state().selection(), Selection::Nothing);
+    assert!(window.harness.state().selection().is_empty());
     window.press("left head");
-    assert!(matches!(window.harness.state().selection(), Selection::Box(..)));
+    assert!(matches!(window.harness.state().selection().primary(), Some(Item::Box(..))));
     assert!(window.node(Role::SpinButton, "Sprites").value().is_some_and(|value| value == "28"));
 }
 

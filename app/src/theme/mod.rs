@@ -1,13 +1,16 @@
 //! The only colours and spacings.
 
-use egui::{Color32, Context, CornerRadius, Frame, Margin, Stroke, Style, Theme, Ui, Visuals, vec2};
+pub(crate) mod icon;
+
+use egui::{
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Frame, Margin, RichText, Stroke, Style,
+    Theme, Ui, Visuals, vec2,
+};
 
 /// Between things that belong apart.
 pub(crate) const GAP: f32 = 8.0;
-/// Points.
-pub(crate) const OUTLINE_WIDTH: f32 = 220.0;
-/// Points.
-pub(crate) const INSPECTOR_WIDTH: f32 = 320.0;
+/// Between docked panels, points.
+pub(crate) const SPLIT_WIDTH: f32 = 3.0;
 /// Points.
 pub(crate) const DIALOG_WIDTH: f32 = 380.0;
 /// Points.
@@ -37,6 +40,7 @@ const ACCENT_LIGHT: Color32 = Color32::from_rgb(168, 205, 240);
 
 /// Gives the window both looks; the desktop's own preference decides until the user switches.
 pub(crate) fn install(context: &Context) {
+    install_icons(context);
     context.style_mut_of(Theme::Dark, |style| {
         spacing(style);
         dark(&mut style.visuals);
@@ -45,6 +49,22 @@ pub(crate) fn install(context: &Context) {
         spacing(style);
         light(&mut style.visuals);
     });
+}
+
+/// The icon font stands behind the text fonts, so that its glyphs may stand in any text.
+fn install_icons(context: &Context) {
+    let mut fonts = FontDefinitions::default();
+    let icons = FontData::from_static(include_bytes!("../../../assets/fonts/icons.ttf"));
+    fonts.font_data.insert("icons".into(), icons.into());
+    for family in [FontFamily::Proportional, FontFamily::Monospace] {
+        fonts.families.entry(family).or_default().push("icons".into());
+    }
+    context.set_fonts(fonts);
+}
+
+/// A button's icon.
+pub(crate) fn tool_text(icon: &str) -> RichText {
+    RichText::new(icon).size(17.0)
 }
 
 /// From dark to light and back.

@@ -1,0 +1,156 @@
+//! Where the panels are docked: a tree of splits and tabs that the user drags, remembered between starts.
+
+use crate::panel::Panel;
+use crate::theme;
+use egui::{Id, Ui, WidgetText};
+use egui_tiles::{
+    Behavior, Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree, UiResponse,
+};
+
+/// The docked panels.
+#[derive(Debug)]
+pub(super) struct Layout {
+    tree: Tree<Panel>,
+    /// The user moved something since the last [`Layout::take_changed`].
+    changed: bool,
+}
+
+impl Default for Layout {
+    fn default() -> Self {
+        Self { tree: default_tree(), changed: false }
+    }
+}
+
+impl Layout {
+    /// As [`Layout::to_saved`] gave it; none if that is no layout with a viewport.
+    pub(super) fn from_saved(saved: &serde_json::Value) -> Option<Self> {
+        let tree: Tree<Panel> = serde::Deserialize::deserialize(saved).ok()?;
+        let viewports = tree.tiles.iter().filter(|(_, tile)| matches!(tile, Tile::Pane(Panel::Viewport))).count();
+        (viewports == 1 && tree.root.is_some()).then_some(Self { tree, changed: false })
+    }
+
+    /// To be kept between starts.
+    pub(super) fn to_saved(&self) -> Option<serde_json::Value> {
+        serde_json::to_value(&self.tree).ok()
+    }
+
+    /// Whether the user moved something since this was asked last.
+    pub(super) fn take_changed(&mut self) -> bool {
+        std::mem::take(&mut self.changed)
+    }
+
+    /// Shows all panels; `show` puts the content of one on the screen.
+    pub(super) fn show(&mut self, ui: &mut Ui, show: impl FnMut(Panel, &mut Ui)) {
+        let mut panes = Panes { show, changed: false };
+        self.tree.ui(&mut panes, ui);
+        self.changed |= panes.changed;
+    }
+
+    /// All panels to their places.
+    pub(super) fn reset(&mut self) {
+        *self = Self { changed: true, ..Self::default() };
+    }
+
+    /// Brings a panel up, wherever it is; back beside the inspector if it was closed.
+    pub(super) fn bring_up(&mut self, panel: Panel) {
+        self.changed = true;
+        let found = self.tree.tiles.find_pane(&panel);
+        let tile = found.unwrap_or_else(|| {
+            let tile = self.tree.tiles.insert_pane(panel);
+            let beside = self.tree.tiles.find_pane(&Panel::Inspector).and_then(|id| self.tree.tiles.parent_of(id));
+            match beside.or(self.tree.root) {
+                Some(parent) => self.tree.move_tile_to_container(tile, parent, usize::MAX, false),
+                None => self.tree.root = Some(tile),
+            }
+            tile
+        });
+        self.tree.set_visible(tile, true);
+        self.tree.make_active(|id, _| id == tile);
+    }
+}
+
+fn default_tree() -> Tree<Panel> {
+    let mut tiles = Tiles::default();
+    let mut tabs = |panels: &[Panel]| {
+        let children = panels.iter().map(|panel| tiles.insert_pane(*panel)).collect();
+        tiles.insert_tab_tile(children)
+    };
+    let outline = tabs(&[Panel::Outline]);
+    let history = tabs(&[Panel::History, Panel::Problems]);
+    let viewport = tabs(&[Panel::Viewport]);
+    let inspector = tabs(&[Panel::Inspector]);
+    let looks = tabs(&[Panel::ColorLevels, Panel::ShadingGroups, Panel::Sky]);
+    let mut split = |dir, parts: &[(TileId, f32)]| {
+        let mut linear = Linear::new(dir, parts.iter().map(|(id, _)| *id).collect());
+        for (id, share) in parts {
+            linear.shares.set_share(*id, *share);
+        }
+        tiles.insert_container(Container::Linear(linear))
+    };
+    let left = split(LinearDir::Vertical, &[(outline, 2.6), (history, 1.0)]);
+    let right = split(LinearDir::Vertical, &[(inspector, 1.0), (looks, 1.0)]);
+    let root = split(LinearDir::Horizontal, &[(left, 0.17), (viewport, 0.56), (right, 0.27)]);
+    Tree::new(Id::unique("panels"), root, tiles)
+}
+
+struct Panes<F> {
+    show: F,
+    changed: bool,
+}
+
+impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
+    fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, panel: &mut Panel) -> UiResponse {
+        ui.push_id(*panel, |ui| {
+            let frame = if *panel == Panel::Viewport { egui::Frame::NONE } else { theme::side(ui) };
+            frame.show(ui, |ui| {
+                // A panel without content still fills its place.
+                ui.set_min_size(ui.available_size());
+                (self.show)(*panel, ui);
+            });
+        });
+        UiResponse::None
+    }
+
+    fn tab_title_for_pane(&mut self, panel: &Panel) -> WidgetText {
+        format!("{} {}", panel.icon(), panel.name()).into()
+    }
+
+    fn is_tab_closable(&self, tiles: &Tiles<Panel>, tile: TileId) -> bool {
+        // The viewport stays.
+        !matches!(tiles.get(tile), Some(Tile::Pane(Panel::Viewport)) | None)
+    }
+
+    fn gap_width(&self, _style: &egui::Style) -> f32 {
+        theme::SPLIT_WIDTH
+    }
+
+    fn tab_bar_color(&self, visuals: &egui::Visuals) -> egui::Color32 {
+        visuals.extreme_bg_color
+    }
+
+    fn simplification_options(&self) -> SimplificationOptions {
+        SimplificationOptions { all_panes_must_have_tabs: true, ..SimplificationOptions::default() }
+    }
+
+    fn on_edit(&mut self, _action: egui_tiles::EditAction) {
+        self.changed = true;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn comes_back_as_it_was_saved() {
+        let mut layout = Layout::default();
+        layout.bring_up(Panel::Sky);
+        assert!(layout.take_changed() && !layout.take_changed());
+        let saved = layout.to_saved().expect("it can be saved");
+        let again = Layout::from_saved(&saved).expect("it is a layout");
+        assert_eq!(again.tree, layout.tree);
+        for bad in [serde_json::json!(null), serde_json::json!({"root": 7}), serde_json::json!([])] {
+            assert!(Layout::from_saved(&bad).is_none(), "{bad}");
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! Actions and commands, carried out: the one arm a command.
+
+mod add;
+mod arrange;
+mod shade;
+mod view;
+
+use super::file_flow::Intent;
+use super::{Action, Editor, Selection, Tool};
+use crate::command::Command;
+use crate::panel::Panel;
+use cloudwright_core::document::{Edit, EditError};
+
+impl Editor {
+    /// Does what panels and viewport asked for, and shows the outcome in the next frame.
+    pub(super) fn carry_out(&mut self, actions: Vec<Action>, context: &egui::Context) {
+        if !actions.is_empty() {
+            context.request_repaint();
+        }
+        for action in actions {
+            match action {
+                Action::Command(command) => self.perform(command, context),
+                Action::Select { items, through, how } => {
+                    self.view.selection.choose(items, through, how);
+                    self.view.keep_what_is_in(self.session.scene());
+                }
+                Action::LookThrough(id) => self.look_through(id),
+                Action::SetFromView(id) => self.set_from_view(id),
+                Action::Change { name, edits, live } => self.change(name, edits, live),
+                Action::View(change) => self.change_view(change),
+                Action::JumpTo(count) => {
+                    self.session.jump_to(count);
+                    self.view.keep_what_is_in(self.session.scene());
+                }
+            }
+        }
+    }
+
+    fn change(&mut self, name: &str, edits: Vec<Edit>, live: bool) {
+        if self.gesture_dropped {
+            return;
+        }
+        let mut done = self.session.drag(name, edits);
+        if done.is_ok() && !live {
+            done = self.session.commit();
+        }
+        self.report(done);
+    }
+
+    /// Tells why a change was refused.
+    fn report(&mut self, done: Result<(), EditError>) {
+        match done {
+            Ok(()) => self.notice = None,
+            Err(error) => self.tell_error(error.to_string()),
+        }
+    }
+
+    /// Edits as one undo point; what they made is selected.
+    fn edit_and_select(&mut self, command: Command, edits: Vec<Edit>, selection: Selection) {
+        let done = self.session.edit(command.row().label(), edits);
+        if done.is_ok() {
+            self.select(selection);
+        }
+        self.report(done);
+    }
+
+    /// Whether a command has something to work on now.
+    pub fn can(&self, command: Command) -> bool {
+        let document = self.session.document();
+        let scene = document.scene();
+        let selection = &self.view.selection;
+        let (clouds, boxes) = (selection.clouds().count(), selection.boxes().count());
+        match command {
+            Command::Undo => document.undo_name().is_some() || document.is_open(),
+            Command::Redo => document.redo_name().is_some(),
+            Command::AddBox | Command::PlaceModel | Command::PlaceMany | Command::Reroll | Command::AutoGroup => {
+                selection.model(scene).is_some()
+            }
+            Command::CopyLevels => selection.model(scene).is_some(),
+            Command::PasteLevels => selection.model(scene).is_some() && self.copied_levels.is_some(),
+            Command::DuplicateOwn | Command::MakeOwn => clouds > 0,
+            Command::MirrorX | Command::MirrorY | Command::MirrorZ => boxes > 0 || clouds > 0,
+            Command::Join => clouds > 1,
+            Command::Split => boxes > 0,
+            Command::NewGroup | Command::Ungroup | Command::ResetSprites => {
+                boxes > 0 || selection.sprites().next().is_some()
+            }
+            Command::Solo => clouds > 0 || !self.view.solo.is_empty(),
+            Command::Duplicate | Command::Delete | Command::Hide | Command::Lock => !selection.is_empty(),
+            Command::SelectNone | Command::FrameSelection => !selection.is_empty(),
+            Command::FrameAll => !self.session.derived().clouds().is_empty(),
+            Command::LookThrough | Command::AlignCamera => !scene.cameras.is_empty(),
+            _ => true,
+        }
+    }
+
+    /// Whether what a command switches is switched on.
+    pub(super) fn is_on(&self, command: Command) -> bool {
+        let view = &self.view;
+        match command {
+            Command::SelectTool => view.tool == Tool::Select,
+            Command::MoveTool => view.tool == Tool::Move,
+            Command::RotateTool => view.tool == Tool::Rotate,
+            Command::ScaleTool => view.tool == Tool::Scale,
+            Command::BoxTool => view.tool == Tool::Box,
+            Command::Snap => view.snap.on,
+            Command::ShowBoxes => view.show_all_boxes,
+            Command::SpriteMarks => view.sprite_marks != super::SpriteMarks::Off,
+            Command::GroupView => view.group_view,
+            Command::Solo => !view.solo.is_empty(),
+            Command::PlayTime => self.time_play.is_on(),
+            _ => false,
+        }
+    }
+
+    /// Does a command of the table, if it has something to work on.
+    pub fn perform(&mut self, command: Command, context: &egui::Context) {
+        if !self.can(command) {
+            return;
+        }
+        match command {
+            Command::New => self.want(Intent::New, context),
+            Command::Open => self.want(Intent::Open, context),
+            Command::Save => self.save(context),
+            Command::SaveAs => self.save_as(context),
+            Command::Quit => self.want(Intent::Quit, context),
+            Command::Undo => self.undo(),
+            Command::Redo => self.redo(),
+            Command::SelectAll => self.select_all(),
+            Command::SelectNone => self.select(Selection::default()),
+            Command::Duplicate => self.duplicate(),
+            Command::DuplicateOwn => self.duplicate_own(),
+            Command::MakeOwn => self.make_own(),
+            Command::MirrorX => self.mirror(command),
+            Command::MirrorY => self.mirror(command),
+            Command::MirrorZ => self.mirror(command),
+            Command::Join => self.join(),
+            Command::Split => self.split(),
+            Command::Reroll => self.reroll(),
+            Command::ResetSprites => self.reset_sprites(),
+            Command::Delete => self.delete(),
+            Command::AddCloud => self.add_cloud(),
+            Command::AddPreset => self.choose_preset(),
+            Command::PlaceModel => self.place_model(),
+            Command::PlaceMany => self.ask_place_many(),
+            Command::AddBox => self.add_box(),
+            Command::AddCamera => self.add_camera(),
+            Command::NewGroup => self.new_group(),
+            Command::Ungroup => self.ungroup(),
+            Command::AutoGroup => self.auto_group(),
+            Command::CopyLevels => self.copy_levels(),
+            Command::PasteLevels => self.paste_levels(),
+            Command::FrameSelection => self.viewport.frame(&self.view.selection, &self.session),
+            Command::FrameAll => self.viewport.frame(&Selection::default(), &self.session),
+            Command::LookThrough => self.look_through_next(),
+            Command::AlignCamera => self.align_camera(),
+            Command::Hide => self.toggle_hidden(),
+            Command::Solo => self.toggle_solo(),
+            Command::Lock => self.toggle_locked(),
+            Command::ShowAll => self.show_all(),
+            Command::ShowBoxes => self.view.show_all_boxes ^= true,
+            Command::SpriteMarks => self.view.sprite_marks = self.view.sprite_marks.next(),
+            Command::GroupView => self.view.group_view ^= true,
+            Command::SwitchTheme => crate::theme::switch(context),
+            Command::Palette => self.palette = Some(Default::default()),
+            Command::SelectTool => self.view.tool = Tool::Select,
+            Command::MoveTool => self.view.tool = Tool::Move,
+            Command::RotateTool => self.view.tool = Tool::Rotate,
+            Command::ScaleTool => self.view.tool = Tool::Scale,
+            Command::BoxTool => self.view.tool = Tool::Box,
+            Command::Snap => self.view.snap.on ^= true,
+            Command::PlayTime => self.time_play.toggle(),
+            Command::OutlinePanel => self.layout.bring_up(Panel::Outline),
+            Command::InspectorPanel => self.layout.bring_up(Panel::Inspector),
+            Command::LevelsPanel => self.layout.bring_up(Panel::ColorLevels),
+            Command::GroupsPanel => self.layout.bring_up(Panel::ShadingGroups),
+            Command::SkyPanel => self.layout.bring_up(Panel::Sky),
+            Command::HistoryPanel => self.layout.bring_up(Panel::History),
+            Command::ProblemsPanel => self.layout.bring_up(Panel::Problems),
+            Command::ResetLayout => self.layout.reset(),
+        }
+    }
+
+    fn undo(&mut self) {
+        self.session.undo();
+        self.view.keep_what_is_in(self.session.scene());
+    }
+
+    fn redo(&mut self) {
+        self.session.redo();
+        self.view.keep_what_is_in(self.session.scene());
+    }
+}

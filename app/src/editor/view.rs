@@ -1,0 +1,122 @@
+//! How the scene is looked at and worked on: selection, tool, what is hidden. Never saved, never undone.
+
+use super::selection::{Item, Selection, is_in};
+use cloudwright_core::scene::{Cloud, Scene};
+use std::collections::BTreeSet;
+
+/// What the primary button does in the viewport.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum Tool {
+    /// Click to choose, drag for a marquee.
+    #[default]
+    Select,
+    /// Arrows to move the selection by.
+    Move,
+    /// Rings to turn it by.
+    Rotate,
+    /// Cubes to stretch it by.
+    Scale,
+    /// Drag a footprint, then pull the height.
+    Box,
+}
+
+/// How sprites are marked in the viewport.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SpriteMarks {
+    /// Not at all.
+    #[default]
+    Off,
+    /// A dot at each centre.
+    Dots,
+    /// Each quad's outline.
+    Outlines,
+}
+
+impl SpriteMarks {
+    /// The one that a press of the key leads to.
+    pub(crate) fn next(self) -> Self {
+        match self {
+            Self::Off => Self::Dots,
+            Self::Dots => Self::Outlines,
+            Self::Outlines => Self::Off,
+        }
+    }
+}
+
+/// What gestures snap to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Snap {
+    /// Whether they do; Ctrl does the opposite while it is held.
+    pub on: bool,
+    /// For places and sizes, metres.
+    pub step_m: f64,
+    /// For turns, degrees.
+    pub angle_deg: f64,
+    /// For scales.
+    pub scale: f64,
+}
+
+impl Default for Snap {
+    fn default() -> Self {
+        Self { on: false, step_m: 50.0, angle_deg: 15.0, scale: 0.1 }
+    }
+}
+
+/// The editor's own view of the scene.
+#[derive(Debug, Clone, Default)]
+pub struct ViewState {
+    /// What is selected.
+    pub selection: Selection,
+    /// What the primary button does.
+    pub tool: Tool,
+    /// What gestures snap to.
+    pub snap: Snap,
+    /// The altitude that the box tool draws on, metres; none: that of the selected cloud, or 1,000.
+    pub base_altitude_m: Option<f64>,
+    /// The outlines of all boxes, not only of selected ones.
+    pub show_all_boxes: bool,
+    /// Marks at sprites.
+    pub sprite_marks: SpriteMarks,
+    /// Boxes and sprites in the tints of their shading groups.
+    pub group_view: bool,
+    /// Clouds and boxes that are not drawn.
+    pub hidden: BTreeSet<Item>,
+    /// Clouds and boxes that the pointer passes through.
+    pub locked: BTreeSet<Item>,
+    /// If any: only these clouds are drawn.
+    pub solo: BTreeSet<Item>,
+}
+
+/// Where the box tool draws when nothing says otherwise, metres.
+const BASE_ALTITUDE_M: f64 = 1000.0;
+
+impl ViewState {
+    /// The altitude that the box tool draws on, metres.
+    pub fn base_altitude_m(&self, scene: &Scene) -> f64 {
+        let selected = || self.selection.cloud(scene).map(|cloud| cloud.position.y);
+        self.base_altitude_m.or_else(selected).unwrap_or(BASE_ALTITUDE_M)
+    }
+
+    /// Whether `cloud` is drawn.
+    pub fn shows(&self, cloud: &Cloud) -> bool {
+        let item = Item::Cloud(cloud.id);
+        !self.hidden.contains(&item)
+            && !self.hidden.contains(&Item::Model(cloud.model))
+            && (self.solo.is_empty() || self.solo.contains(&item))
+    }
+
+    /// Whether the pointer may pick `cloud`.
+    pub fn can_pick(&self, cloud: &Cloud) -> bool {
+        self.shows(cloud)
+            && !self.locked.contains(&Item::Cloud(cloud.id))
+            && !self.locked.contains(&Item::Model(cloud.model))
+    }
+
+    /// Leaves out what the scene has no longer.
+    pub(crate) fn keep_what_is_in(&mut self, scene: &Scene) {
+        self.selection.keep_what_is_in(scene);
+        for set in [&mut self.hidden, &mut self.locked, &mut self.solo] {
+            set.retain(|item| is_in(*item, scene));
+        }
+    }
+}
