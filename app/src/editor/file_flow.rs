@@ -41,7 +41,7 @@ impl Editor {
         match intent {
             Intent::New => {
                 self.replace(Session::new(starter::scene(), None, None));
-                self.notice = None;
+                self.toasts.forget_errors();
             }
             Intent::Open => self.ask(Ask::Open, context),
             Intent::Quit => {

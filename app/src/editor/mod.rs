@@ -14,6 +14,7 @@ mod selection;
 mod session;
 mod starter;
 mod time_play;
+mod toasts;
 mod view;
 mod window;
 
@@ -38,6 +39,7 @@ use files::Waiting;
 use layout::Layout;
 use std::path::PathBuf;
 use time_play::TimePlay;
+use toasts::Toasts;
 
 /// The editor: an open document, how it is looked at, and what is being asked.
 pub struct Editor {
@@ -54,18 +56,11 @@ pub struct Editor {
     waiting: Option<Waiting>,
     after_save: Option<Intent>,
     dialogs: Dialogs,
-    notice: Option<Notice>,
+    toasts: Toasts,
     /// Esc was pressed: the rest of this gesture is ignored.
     gesture_dropped: bool,
     quitting: bool,
     title: String,
-}
-
-/// A line in the status bar.
-#[derive(Debug, Clone)]
-pub(crate) struct Notice {
-    pub(crate) text: String,
-    pub(crate) is_error: bool,
 }
 
 /// What an editor starts with.
@@ -99,7 +94,7 @@ impl Editor {
             waiting: None,
             after_save: None,
             dialogs: Dialogs::default(),
-            notice: None,
+            toasts: Toasts::default(),
             gesture_dropped: false,
             quitting: false,
             title: String::new(),
@@ -132,11 +127,11 @@ impl Editor {
     }
 
     pub(crate) fn tell(&mut self, text: impl Into<String>) {
-        self.notice = Some(Notice { text: text.into(), is_error: false });
+        self.toasts.say(text.into(), false);
     }
 
     pub(crate) fn tell_error(&mut self, text: impl Into<String>) {
-        self.notice = Some(Notice { text: text.into(), is_error: true });
+        self.toasts.say(text.into(), true);
     }
 
     /// Esc takes an open gesture back; what the pointer still does until it is let go is ignored.
@@ -181,7 +176,7 @@ impl Editor {
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
-            panel::status(ui, &self.session, &self.viewport, self.notice.as_ref());
+            panel::status(ui, &self.session, &self.viewport);
         });
         let Self { session, view, viewport, layout, .. } = self;
         let reading = Reading { session, view };
@@ -219,6 +214,7 @@ impl eframe::App for Editor {
         self.end_gesture_on_release(&context);
         self.show_dialogs(&context);
         self.show_palette(&context);
+        self.toasts.show(&context);
         self.show_title(&context);
     }
 }

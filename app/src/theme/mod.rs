@@ -21,6 +21,12 @@ pub(crate) const DIALOG_LIST_HEIGHT: f32 = 320.0;
 pub(crate) const NUMBER_WIDTH: f32 = 62.0;
 /// Of the column of names in the inspector, points.
 pub(crate) const NAME_WIDTH: f32 = 108.0;
+/// Of messages, points.
+pub(crate) const TOAST_WIDTH: f32 = 340.0;
+/// Between messages and the window's rim, points.
+pub(crate) const TOAST_MARGIN: f32 = 12.0;
+/// Of the status bar, points.
+pub(crate) const STATUS_HEIGHT: f32 = 30.0;
 /// Around marks in the viewport.
 pub(crate) const VIEWPORT_MARGIN: f32 = 10.0;
 
@@ -134,4 +140,9 @@ pub(crate) fn dialog(context: &Context) -> Frame {
 /// What is wrong.
 pub(crate) fn error(ui: &Ui) -> Color32 {
     ui.visuals().error_fg_color
+}
+
+/// What went well.
+pub(crate) fn good(ui: &Ui) -> Color32 {
+    if ui.visuals().dark_mode { Color32::from_rgb(124, 204, 140) } else { Color32::from_rgb(32, 122, 58) }
 }

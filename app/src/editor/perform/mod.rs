@@ -50,7 +50,7 @@ impl Editor {
     /// Tells why a change was refused.
     fn report(&mut self, done: Result<(), EditError>) {
         match done {
-            Ok(()) => self.notice = None,
+            Ok(()) => self.toasts.forget_errors(),
             Err(error) => self.tell_error(error.to_string()),
         }
     }
