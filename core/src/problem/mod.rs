@@ -110,7 +110,7 @@ fn assert_found(scene: &Scene, place: &str, words: &str) {
 
 /// A scene with one model of one box, placed once: without problems.
 #[cfg(test)]
-fn sound_scene() -> Scene {
+pub(crate) fn sound_scene() -> Scene {
     use crate::scene::{BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, ModelId};
     let mut scene = Scene::default();
     let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "heap", Category::CumulusHumilis);
