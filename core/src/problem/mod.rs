@@ -12,6 +12,7 @@ mod no_cameras;
 mod numbers_out_of_range;
 mod reversed_ranges;
 mod too_many_sprites;
+mod unused_groups;
 
 pub use too_many_sprites::MAX_SPRITES_TRIED;
 
@@ -68,6 +69,7 @@ const CHECKS: &[fn(&Scene, &mut Vec<Problem>)] = &[
     duplicate_ids::check,
     missing_references::check,
     too_many_sprites::check,
+    unused_groups::check,
     no_cameras::check,
 ];
 
