@@ -3,7 +3,8 @@
 //! A crowd that needs k groups is cut across the longest side of its bounds so that ⌊k/2⌋ and ⌈k/2⌉ groups suffice for
 //! the parts, each of which then holds its share of the sprites; so k is the least number possible, the groups are
 //! equally large but for one or two sprites, and the same sprites give the same groups. Groups become named ones of the
-//! model; the sprites that the cull drops stay in their boxes' own.
+//! model; the sprites that the cull drops stay in their boxes' own. What is saved is which *index* is in which group:
+//! sprites strewn anew, or those of a cloud with another seed, are grouped by chance until they are grouped again.
 
 use super::copy::{groups_of, groups_used};
 use super::group::light_of;

@@ -54,11 +54,10 @@ fn from_model(plan: &mut Plan<'_>, model: &CloudModel, doomed: &BTreeSet<Thing>)
                 }
             }
         });
-        // The order of edits is no change.
-        if new.group != old.group
-            || new.sprite_edits.len() != old.sprite_edits.len()
-            || new.sprite_edits.iter().any(|edit| !old.sprite_edits.contains(edit))
-        {
+        // That edits now stand in order is no change.
+        let mut in_order = old.clone();
+        change_edits(&mut in_order, |_| {});
+        if new != in_order {
             plan.replace_box(model.id, new);
         }
     }

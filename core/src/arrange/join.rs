@@ -22,8 +22,9 @@ use std::collections::BTreeSet;
 /// If fewer than two of them are in the scene.
 pub fn clouds(scene: &Scene, ids: &[CloudId]) -> Result<Arrangement, Refusal> {
     let mut seen = BTreeSet::new();
-    let ids = ids.iter().filter(|id| seen.insert(**id));
     let joined: Vec<(&Cloud, &CloudModel)> = ids
+        .iter()
+        .filter(|id| seen.insert(**id))
         .filter_map(|id| {
             let cloud = scene.cloud(*id)?;
             Some((cloud, scene.model(cloud.model)?))
@@ -35,9 +36,8 @@ pub fn clouds(scene: &Scene, ids: &[CloudId]) -> Result<Arrangement, Refusal> {
     }
 
     let mut plan = Plan::new(scene);
-    let is_joined = |cloud: &Cloud| joined.iter().any(|(each, _)| each.id == cloud.id);
     let used_elsewhere: BTreeSet<ModelId> =
-        scene.clouds.iter().filter(|cloud| !is_joined(cloud)).map(|cloud| cloud.model).collect();
+        scene.clouds.iter().filter(|cloud| !seen.contains(&cloud.id)).map(|cloud| cloud.model).collect();
     let is_shared = used_elsewhere.contains(&first.model);
     let mut whole = if is_shared {
         copy_model(first_model, model_names(scene).free(&first_model.name), &mut plan.next_id)
@@ -58,9 +58,9 @@ pub fn clouds(scene: &Scene, ids: &[CloudId]) -> Result<Arrangement, Refusal> {
         plan.edits.push(Edit::Model(ListEdit::Replace(whole)));
     }
     plan.edits.extend(others.iter().map(|(cloud, _)| Edit::Cloud(ListEdit::Remove(cloud.id))));
-    let unused: BTreeSet<ModelId> = others.iter().map(|(_, model)| model.id).collect();
-    let unused = unused.into_iter().filter(|id| *id != whole_id && !used_elsewhere.contains(id));
-    plan.edits.extend(unused.filter(|id| *id != first.model).map(|id| Edit::Model(ListEdit::Remove(id))));
+    let theirs: BTreeSet<ModelId> = others.iter().map(|(cloud, _)| cloud.model).collect();
+    let unused = theirs.into_iter().filter(|id| *id != first.model && !used_elsewhere.contains(id));
+    plan.edits.extend(unused.map(|id| Edit::Model(ListEdit::Remove(id))));
     plan.made.push(Thing::Cloud(first.id));
     Ok(plan.done())
 }

@@ -9,6 +9,7 @@ use super::duplicate::model_names;
 use super::{Arrangement, Names, Plan, Refusal, Thing};
 use crate::document::{Edit, ListEdit};
 use crate::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene};
+use std::collections::BTreeSet;
 
 /// Splits those boxes off a cloud.
 ///
@@ -17,6 +18,7 @@ use crate::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene};
 pub fn boxes(scene: &Scene, cloud: CloudId, ids: &[BoxId]) -> Result<Arrangement, Refusal> {
     let cloud = scene.cloud(cloud).ok_or(Refusal::NotAPart)?;
     let model = scene.model(cloud.model).ok_or(Refusal::NotAPart)?;
+    let ids: BTreeSet<BoxId> = ids.iter().copied().collect();
     let (leaving, staying): (Vec<&CloudBox>, Vec<&CloudBox>) =
         model.boxes.iter().partition(|each| ids.contains(&each.id));
     if leaving.is_empty() || staying.is_empty() {
