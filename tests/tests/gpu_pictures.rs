@@ -4,6 +4,7 @@
 //! A backend that is not there shows as ignored, or as failed with CLOUDWRIGHT_REQUIRE_GPU=1.
 
 use cloudwright_core::color::Rgb;
+use cloudwright_core::draw_list::{DrawList, Hidden};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::plain;
 use cloudwright_render::{AdapterChoice, Gpu, RenderError, Renderer};
@@ -46,6 +47,7 @@ fn main() -> ExitCode {
             ("a_picture_too_large_is_an_error", too_large),
             ("the_sprites_pass_can_be_timed", timed),
             ("only_what_changed_is_uploaded", uploads),
+            ("what_is_hidden_is_not_drawn", hidden),
         ] {
             trials.push(trial(backend, format!("{}::{name}", backend.name), check));
         }
@@ -164,6 +166,19 @@ fn uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
         renderer.draw(gpu, frame)?;
         let again = renderer.bytes_uploaded();
         ensure(again == each_frame, &format!("{again} bytes for a frame that needs {each_frame}"))
+    })
+}
+
+/// Hiding is the list's affair: nothing is uploaded anew for it.
+fn hidden(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+    let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
+    case.with_frame(|frame| {
+        renderer.draw(gpu, frame)?;
+        let hidden = Hidden { clouds: frame.clouds.iter().map(|cloud| cloud.id).collect(), ..Hidden::default() };
+        let empty = Frame { list: DrawList::hiding(frame.clouds, &frame.view, &hidden), ..frame.clone() };
+        let layer = renderer.clouds(gpu, &empty)?;
+        ensure(renderer.bytes_uploaded() == 16 * frame.clouds.len() as u64, "hiding uploaded something")?;
+        ensure(layer.pixels.iter().all(|pixel| pixel.a == 0.0), "a hidden cloud was drawn")
     })
 }
 

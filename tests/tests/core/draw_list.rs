@@ -1,9 +1,9 @@
 //! What is drawn, and in which order.
 
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::{DrawList, DrawSprite, eye_offset, sort_back_to_front};
+use cloudwright_core::draw_list::{DrawList, DrawSprite, Hidden, eye_offset, sort_back_to_front};
 use cloudwright_core::frame::Frame;
-use cloudwright_core::raster::fast;
+use cloudwright_core::raster::{fast, plain};
 use cloudwright_core::scene::Camera;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_tests::small_scenes::heap;
@@ -54,5 +54,29 @@ proptest! {
         prop_assert!(frame.list.sprites.len() <= all.len());
         let whole = Frame { list: DrawList { sprites: all }, ..frame.clone() };
         prop_assert!(fast::clouds(&frame, fast::NEVER_STOP) == fast::clouds(&whole, fast::NEVER_STOP));
+    }
+}
+
+/// What is hidden leaves the list, what stays looks as it did, and every renderer of the CPU draws from the list alone.
+#[test]
+fn what_is_hidden_is_not_drawn() {
+    let scene = heap(25);
+    let derived = Derived::new(&scene);
+    let camera = &scene.cameras[0];
+    let frame = |hidden: &Hidden| Frame::hiding(&scene, &derived, Atlas::built_in(), camera, 12.0, [90, 40], hidden);
+    let all = frame(&Hidden::default());
+    assert_eq!(all.list, Frame::new(&scene, &derived, Atlas::built_in(), camera, 12.0, [90, 40]).list);
+
+    let box_id = scene.models[0].boxes[1].id;
+    let one_box = frame(&Hidden { boxes: [box_id].into(), ..Hidden::default() });
+    let shown = |s: &DrawSprite| derived.clouds()[0].sprites[s.sprite as usize].box_id != box_id;
+    let rest: Vec<DrawSprite> = all.list.sprites.iter().copied().filter(shown).collect();
+    assert!(!rest.is_empty() && rest.len() < all.list.sprites.len());
+    assert_eq!(one_box.list.sprites, rest);
+
+    let no_cloud = frame(&Hidden { clouds: [scene.clouds[0].id].into(), ..Hidden::default() });
+    assert_eq!(no_cloud.list, DrawList::default());
+    for layer in [fast::clouds(&no_cloud, fast::NEVER_STOP), plain::clouds(&no_cloud)] {
+        assert!(layer.pixels.iter().all(|pixel| pixel.a == 0.0));
     }
 }

@@ -4,6 +4,7 @@ mod architecture;
 mod assets;
 mod draw_list;
 mod export;
+mod overdraw;
 mod raster;
 mod scene_file;
 mod shading;
