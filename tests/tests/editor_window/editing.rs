@@ -1,6 +1,7 @@
 //! Values, history, and things added and taken out.
 
 use crate::Window;
+use cloudwright::command::Command;
 use cloudwright::editor::{Item, Selection};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
@@ -57,6 +58,7 @@ fn escape_takes_a_drag_back() {
     for (role, label) in [(Role::SpinButton, "Sprites"), (Role::Slider, "Time of day")] {
         let mut window = with_box();
         let scene = window.scene().clone();
+        window.command(Command::SkyPanel);
         let field = window.node(role, label).rect().center();
         window.pointer(field, Some(true));
         window.pointer(field + vec2(30.0, 0.0), None);
@@ -101,10 +103,9 @@ fn too_many_sprites_are_refused_with_a_reason() {
     let model = window.scene().models[0].id;
     window.harness.state_mut().select(Selection::of([Item::Model(model)]));
     window.settle();
-    let context = window.harness.ctx.clone();
     for _ in 0..4 {
         window.harness.state_mut().select(Selection::of([Item::Model(model)]));
-        window.harness.state_mut().perform(cloudwright::command::Command::PlaceModel, &context);
+        window.command(Command::PlaceModel);
     }
     window.press("body");
     let (scene, sprites) = (window.scene().clone(), window.sprites());
@@ -117,6 +118,7 @@ fn too_many_sprites_are_refused_with_a_reason() {
 fn time_of_day_changes_the_light_only() {
     let mut window = Window::open();
     window.settle();
+    window.command(Command::SkyPanel);
     let before = window.session().derived().version();
     window.node(Role::Slider, "Time of day").set_value_accesskit(18.5);
     window.settle();

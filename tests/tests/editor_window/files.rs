@@ -27,7 +27,7 @@ fn what_is_saved_comes_back() {
     assert_eq!(window.script.asked.borrow().len(), 1, "the second time it knows where");
     let mut again = Window::open();
     again.answer(Reply::Path(path));
-    again.press("Open");
+    again.keys(Modifiers::COMMAND, Key::O);
     assert_eq!(again.scene(), window.scene());
     assert_eq!(again.sprites(), window.sprites());
     assert!(!again.session().document().is_modified());
@@ -43,7 +43,7 @@ fn a_broken_file_leaves_the_document_alone() {
     let scene = window.scene().clone();
     for (path, words) in [(path, "error at line 1"), (folder.path().join("none.cloudscene"), "no such file")] {
         window.answer(Reply::Path(path));
-        window.press("Open");
+        window.keys(Modifiers::COMMAND, Key::O);
         assert!(window.shows(words), "the problem is listed: {words}");
         assert_eq!((window.scene(), window.session().path()), (&scene, None));
         window.press("Close");

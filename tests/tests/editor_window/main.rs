@@ -8,6 +8,7 @@ mod editing;
 mod files;
 mod viewing;
 
+use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session, Start};
 use cloudwright::renderer::RendererChoice;
 use cloudwright_core::scene::Scene;
@@ -87,6 +88,13 @@ impl Window {
 
     fn press(&mut self, button: &str) {
         self.node(Role::Button, button).click();
+        self.settle();
+    }
+
+    /// A command of the table, as from the palette.
+    fn command(&mut self, command: Command) {
+        let context = self.harness.ctx.clone();
+        self.harness.state_mut().perform(command, &context);
         self.settle();
     }
 
