@@ -28,3 +28,4 @@ pub mod sky;
 pub mod sprites;
 pub mod tone;
 pub mod version;
+pub mod watch;
