@@ -16,6 +16,10 @@ impl Editor {
         for action in actions {
             match action {
                 Action::Command(command) => self.perform(command, context),
+                Action::CancelPending => {
+                    self.session.cancel_pending();
+                    self.select(self.selection);
+                }
                 Action::Select(selection) => self.select(selection),
                 Action::LookThrough(id) => {
                     if let Some(camera) = self.session.scene().cameras.iter().find(|camera| camera.id == id) {

@@ -9,6 +9,7 @@ mod carry_out;
 mod dialogs;
 mod file_flow;
 mod files;
+mod regeneration;
 mod selection;
 mod session;
 mod starter;
@@ -18,7 +19,7 @@ pub(crate) use action::Action;
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::Selection;
 pub(crate) use selection::box_of;
-pub use session::Session;
+pub use session::{Pending, Session};
 pub use window::open_window;
 
 use crate::command;
@@ -157,7 +158,7 @@ impl Editor {
             panel::toolbar(ui, &state, &mut actions);
         });
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
-            panel::status(ui, &self.session, &self.viewport, self.notice.as_ref());
+            panel::status(ui, &self.session, &self.viewport, self.notice.as_ref(), &mut actions);
         });
         egui::Panel::left("outline").default_size(theme::OUTLINE_WIDTH).frame(theme::side(ui)).show(ui, |ui| {
             panel::outline(ui, self.session.scene(), self.selection, &mut actions);
@@ -187,6 +188,7 @@ impl eframe::App for Editor {
         });
         self.carry_out(actions, &context);
         self.end_gesture_on_release(&context);
+        self.session.keep_up(&context);
         self.show_dialogs(&context);
         self.show_title(&context);
     }

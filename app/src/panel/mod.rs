@@ -8,6 +8,7 @@ mod fields;
 mod inspector;
 mod model;
 mod outline;
+mod progress;
 mod sky;
 mod status;
 

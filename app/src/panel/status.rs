@@ -1,13 +1,20 @@
 //! The line at the bottom: what happened last, and what the picture cost.
 
-use crate::editor::{Notice, Session};
+use super::progress::progress;
+use crate::editor::{Action, Notice, Session};
 use crate::theme;
 use crate::viewport::Viewport;
 use cloudwright_core::math::clock;
 use egui::{Align, Layout, Ui};
 
 /// The status bar.
-pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport, notice: Option<&Notice>) {
+pub(crate) fn status(
+    ui: &mut Ui,
+    session: &Session,
+    viewport: &Viewport,
+    notice: Option<&Notice>,
+    actions: &mut Vec<Action>,
+) {
     let clouds = session.derived().clouds();
     let kept: usize = clouds.iter().map(|cloud| cloud.sprites.len()).sum();
     let tried: usize = clouds.iter().map(|cloud| cloud.candidate_count).sum();
@@ -21,7 +28,11 @@ pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport, notice
         ui.label(format!("{kept} / {tried} sprites")).on_hover_text("Kept, and tried before culling.");
         ui.separator();
         ui.label(clock(session.scene().time_of_day_h));
+        if let Some(overdraw) = viewport.overdraw() {
+            ui.label(format!("{overdraw:.1}×")).on_hover_text("Overdraw: sprites blended on a pixel, in the mean.");
+        }
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            progress(ui, session, actions);
             if let Some(Notice { text, is_error }) = notice {
                 let color = if *is_error { theme::error(ui) } else { ui.visuals().text_color() };
                 ui.add(egui::Label::new(egui::RichText::new(text).color(color)).truncate()).on_hover_text(text);
