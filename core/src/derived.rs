@@ -1,13 +1,20 @@
 //! The caches between the phases: what was computed from the scene, and what a [`Change`] makes stale.
 //!
-//! Populated models are shared by their placements; a change recomputes only the models and clouds it touched.
-//! [`Derived::work_done`] counts, so that tests can prove it.
+//! A change says where to look; what it touched is compared with what was computed from, and only what differs is
+//! computed again. That is written down first, in a [`Plan`], so that whoever asks can see how much there is to do.
+//! Populated models are shared by their placements, and states of the caches share what is equal in them, so one is
+//! copied for the price of a list. [`Derived::work_done`] counts, so that tests can prove it.
+
+mod plan;
+
+pub use plan::Plan;
 
 use crate::document::Change;
 use crate::scene::{Cloud, CloudModel, ModelId, Scene};
-use crate::sprites::{PlacedCloud, PopulatedModel, place, populate};
+use crate::sprites::{PlacedCloud, PopulatedModel};
 use crate::version::Version;
-use rayon::prelude::*;
+use crate::watch::Watch;
+use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -15,9 +22,37 @@ use std::sync::Arc;
 #[derive(Debug, Clone)]
 pub struct Derived {
     clouds: Vec<PlacedCloud>,
+    /// What each of the clouds was placed from.
+    sources: Vec<Source>,
     version: Version,
-    populated: FxHashMap<(ModelId, u64), (Arc<CloudModel>, Arc<PopulatedModel>)>,
+    populated: FxHashMap<Key, Populated>,
     work: WorkDone,
+}
+
+/// A model under a seed: what sprites are strewn from.
+type Key = (ModelId, u64);
+
+/// A model with its sprites under one seed.
+#[derive(Debug, Clone)]
+struct Populated {
+    model: Arc<CloudModel>,
+    sprites: Arc<PopulatedModel>,
+}
+
+/// All that a placed cloud comes from.
+#[derive(Debug, Clone)]
+struct Source {
+    stand: Stand,
+    populated: Populated,
+}
+
+/// How a cloud's copy of its model stands in the world.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Stand {
+    position: DVec3,
+    heading_deg: f64,
+    scale: f64,
+    ground_altitude_m: Option<f64>,
 }
 
 /// How often something was computed since the start.
@@ -27,17 +62,27 @@ pub struct WorkDone {
     pub models_populated: u64,
     /// Clouds placed.
     pub clouds_placed: u64,
+    /// Clouds that kept their sprites and were given other colour levels or another name.
+    pub clouds_dressed: u64,
+}
+
+impl Default for Derived {
+    /// Of a scene without clouds.
+    fn default() -> Self {
+        Self {
+            clouds: Vec::new(),
+            sources: Vec::new(),
+            version: Version::fresh(),
+            populated: FxHashMap::default(),
+            work: WorkDone::default(),
+        }
+    }
 }
 
 impl Derived {
     /// Computes everything.
     pub fn new(scene: &Scene) -> Self {
-        let mut derived = Self {
-            clouds: Vec::new(),
-            version: Version::fresh(),
-            populated: FxHashMap::default(),
-            work: WorkDone::default(),
-        };
+        let mut derived = Self::default();
         derived.update(scene, &Change::everything());
         derived
     }
@@ -57,82 +102,24 @@ impl Derived {
         self.work
     }
 
+    /// What there is to compute before this is `scene`'s, if no more than `change` has touched it since it was this.
+    pub fn plan<'a>(&'a self, scene: &'a Scene, change: &Change) -> Plan<'a> {
+        Plan::new(self, scene, change)
+    }
+
     /// Recomputes what `change` touched in `scene`, which is the scene after the change.
     pub fn update(&mut self, scene: &Scene, change: &Change) {
-        if !change.touches_sprites() {
-            return;
+        if change.touches_sprites()
+            && let Some(updated) = self.plan(scene, change).carry_out(&Watch::default())
+        {
+            *self = updated;
         }
-        let models: FxHashMap<ModelId, &CloudModel> = scene.models.iter().map(|model| (model.id, model)).collect();
-        self.populate_stale(scene, &models, change);
-        let ground = scene.ground.as_ref().map(|ground| ground.altitude_m);
-        let count_before = self.clouds.len();
-        let mut before: FxHashMap<_, _> =
-            std::mem::take(&mut self.clouds).into_iter().map(|cloud| (cloud.id, cloud)).collect();
-        let placed: Vec<(bool, PlacedCloud)> = scene
-            .clouds
-            .iter()
-            .map(|cloud| (cloud, before.remove(&cloud.id)))
-            .collect::<Vec<_>>()
-            .into_par_iter()
-            .filter_map(|(cloud, old)| {
-                let stale =
-                    change.touches_cloud(cloud.id) || change.touches_model(cloud.model) || change.touches_ground();
-                if let (false, Some(old)) = (stale, old) {
-                    return Some((false, old));
-                }
-                let (model, sprites) = self.populated.get(&(cloud.model, seed_of(&models, cloud)?))?;
-                Some((true, place(cloud, model, sprites, ground)))
-            })
-            .collect();
-        let new = placed.iter().filter(|(new, _)| *new).count();
-        self.work.clouds_placed += new as u64;
-        if new > 0 || placed.len() != count_before {
-            self.version = Version::fresh();
-        }
-        self.clouds = placed.into_iter().map(|(_, cloud)| cloud).collect();
-    }
-
-    /// Populates the models and seeds in use whose boxes, culling, category or seed are not what they were.
-    fn populate_stale(&mut self, scene: &Scene, models: &FxHashMap<ModelId, &CloudModel>, change: &Change) {
-        let mut before = std::mem::take(&mut self.populated);
-        let mut wanted: Vec<(ModelId, u64)> =
-            scene.clouds.iter().filter_map(|cloud| Some((cloud.model, seed_of(models, cloud)?))).collect();
-        wanted.sort_unstable();
-        wanted.dedup();
-        // One copy of a touched model for all its seeds.
-        let mut copies: FxHashMap<ModelId, Arc<CloudModel>> = FxHashMap::default();
-        let mut copy =
-            |model: &CloudModel| Arc::clone(copies.entry(model.id).or_insert_with(|| Arc::new(model.clone())));
-        let mut fresh = Vec::new();
-        for key in wanted {
-            let Some(model) = models.get(&key.0) else { continue };
-            match before.remove(&key) {
-                Some(kept) if !change.touches_model(key.0) => {
-                    self.populated.insert(key, kept);
-                }
-                Some((old, sprites)) if same_sprites(&old, model) => {
-                    self.populated.insert(key, (copy(model), sprites));
-                }
-                _ => fresh.push((key, copy(model))),
-            }
-        }
-        self.work.models_populated += fresh.len() as u64;
-        let populated: Vec<_> = fresh
-            .into_par_iter()
-            .map(|(key, model)| {
-                let sprites = Arc::new(populate(&model, key.1));
-                (key, (model, sprites))
-            })
-            .collect();
-        self.populated.extend(populated);
     }
 }
 
-fn seed_of(models: &FxHashMap<ModelId, &CloudModel>, cloud: &Cloud) -> Option<u64> {
-    Some(cloud.seed.unwrap_or(models.get(&cloud.model)?.seed))
-}
-
-/// Whether two states of a model give the same sprites, whatever their colours and groups' light.
-fn same_sprites(a: &CloudModel, b: &CloudModel) -> bool {
-    a.boxes == b.boxes && a.cull_radius == b.cull_radius && a.category == b.category
+impl Stand {
+    fn of(cloud: &Cloud, ground_altitude_m: Option<f64>) -> Self {
+        let Cloud { position, heading_deg, scale, .. } = *cloud;
+        Self { position, heading_deg, scale, ground_altitude_m }
+    }
 }

@@ -30,3 +30,4 @@ pub mod sky;
 pub mod sprites;
 pub mod tone;
 pub mod version;
+pub mod watch;

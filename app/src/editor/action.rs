@@ -19,6 +19,8 @@ pub(crate) enum Action {
         /// Whether the button is still down.
         live: bool,
     },
+    /// Stop the work that is pending, and take back what asked for it.
+    CancelPending,
     /// Choose something.
     Select {
         /// What.

@@ -10,6 +10,7 @@ mod file_flow;
 mod files;
 mod layout;
 mod perform;
+mod regeneration;
 mod selection;
 mod session;
 mod starter;
@@ -22,7 +23,7 @@ pub(crate) use action::{Action, ViewChange};
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
 pub(crate) use selection::{box_of, camera_of, group_of, model_of};
-pub use session::Session;
+pub use session::{Pending, Session};
 pub use view::{Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
@@ -176,7 +177,7 @@ impl Editor {
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
-            panel::status(ui, &self.session, &self.viewport);
+            panel::status(ui, &self.session, &self.viewport, &mut actions);
         });
         let Self { session, view, viewport, layout, .. } = self;
         let reading = Reading { session, view };
@@ -212,6 +213,7 @@ impl eframe::App for Editor {
         actions.extend(self.panels(ui));
         self.carry_out(actions, &context);
         self.end_gesture_on_release(&context);
+        self.session.keep_up(&context);
         self.show_dialogs(&context);
         self.show_palette(&context);
         self.toasts.show(&context);

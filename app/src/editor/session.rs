@@ -1,8 +1,13 @@
 //! The open document with all that hangs on it: derived clouds, atlas, file.
 //!
-//! Every change goes through here, so that what is derived follows at once. While a gesture holds the scene in a
-//! state with errors (too many sprites, say), the clouds stay as they last were.
+//! Every change goes through here, so that what is derived follows: at once if that is little work, else off the frame
+//! by [`Regeneration`], while the last good clouds are shown. While a gesture holds the scene in a state with errors
+//! (too many sprites, say), the clouds stay as they last were.
+//!
+//! `stale` is whatever may differ between the scene and what is derived. It grows with every change, and is emptied
+//! only when the clouds are those of the scene as it is; so nothing is lost, whatever happens on the way.
 
+use super::regeneration::{Regeneration, Wish};
 use crate::opening::{self, SceneAtlas};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Change, Document, Edit, EditError};
@@ -12,6 +17,10 @@ use cloudwright_core::sprites::PlacedCloud;
 use cloudwright_core::version::Version;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
+use std::time::Instant;
+
+/// A scene that strews no more than this is opened with its clouds: they come in a blink.
+const AT_ONCE_WHEN_OPENED: u64 = 100_000;
 
 /// A document, its file and what is computed from it.
 #[derive(Debug)]
@@ -20,25 +29,50 @@ pub struct Session {
     path: Option<PathBuf>,
     atlas: SceneAtlas,
     derived: Arc<Derived>,
-    /// The scene as it is drawn: the worker draws from it while the document goes on.
+    /// The scene as it is drawn, and last was without errors: workers read it while the document goes on.
     shown: Arc<Scene>,
-    /// Changed, but not derived yet; or might have to be derived back.
-    touched: Change,
+    /// Whether `shown` is the document's scene.
+    is_sound: bool,
+    stale: Change,
+    /// What the open gesture touched: to be derived back if it is refused.
+    gesture: Change,
+    /// How far the history has moved since the clouds were last those of the scene; back counts as negative.
+    steps: isize,
+    regeneration: Regeneration,
     revision: Version,
+}
+
+/// Work that the clouds wait for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Pending {
+    /// When it was first asked for.
+    pub since: Instant,
+    /// 0 to 1.
+    pub done: f32,
+    /// What it does, for people.
+    pub what: String,
+    /// Whether there is a change to take back.
+    pub can_cancel: bool,
 }
 
 impl Session {
     /// A scene that is as it was saved at `path`, or new.
     pub(crate) fn new(scene: Scene, path: Option<PathBuf>, atlas: SceneAtlas) -> Self {
-        Self {
-            derived: Arc::new(Derived::new(&scene)),
+        let mut session = Self {
+            derived: Arc::new(Derived::default()),
             shown: Arc::new(scene.clone()),
+            is_sound: true,
             document: Document::new(scene),
             path,
             atlas,
-            touched: Change::default(),
+            stale: Change::everything(),
+            gesture: Change::default(),
+            steps: 0,
+            regeneration: Regeneration::default(),
             revision: Version::fresh(),
-        }
+        };
+        session.catch_up(AT_ONCE_WHEN_OPENED);
+        session
     }
 
     /// The document, to read.
@@ -51,7 +85,7 @@ impl Session {
         self.document.scene()
     }
 
-    /// What is computed from the scene.
+    /// What is computed from the scene; as it last was while anything is [pending](Self::pending).
     pub fn derived(&self) -> &Derived {
         &self.derived
     }
@@ -59,6 +93,17 @@ impl Session {
     /// A cloud's sprites, if its model is there.
     pub(crate) fn placed(&self, id: CloudId) -> Option<&PlacedCloud> {
         self.derived.clouds().iter().find(|cloud| cloud.id == id)
+    }
+
+    /// Work off the frame that the clouds wait for.
+    pub fn pending(&self) -> Option<Pending> {
+        let (since, done) = self.regeneration.pending()?;
+        let mut touched = self.scene().models.iter().filter(|model| self.stale.touches_model(model.id));
+        let what = match (touched.next(), touched.next()) {
+            (Some(model), None) => format!("Regenerating {}", model.name),
+            _ => "Regenerating clouds".into(),
+        };
+        Some(Pending { since, done, what, can_cancel: self.steps != 0 || self.document.is_open() })
     }
 
     /// The file, if it has one.
@@ -81,7 +126,7 @@ impl Session {
         self.commit()?;
         let change = self.document.edit(name, edits)?;
         self.follow(change);
-        self.touched = Change::default();
+        self.count_point();
         Ok(())
     }
 
@@ -93,44 +138,95 @@ impl Session {
             change.join(self.document.apply(edit)?);
             Ok(())
         });
+        self.gesture.join(change.clone());
         self.follow(change);
         done
     }
 
     /// Ends a gesture as one undo point. What is refused is taken back.
     pub(crate) fn commit(&mut self) -> Result<(), EditError> {
+        let was_open = self.document.is_open();
         let done = self.document.commit();
+        let gesture = std::mem::take(&mut self.gesture);
         if done.is_err() {
-            self.follow(Change::default());
+            self.follow(gesture);
+        } else if was_open {
+            self.count_point();
         }
-        self.touched = Change::default();
         done
     }
 
     /// Takes a gesture back.
     pub(crate) fn cancel(&mut self) {
-        let change = self.document.cancel();
+        if self.document.is_open() {
+            let change = self.document.cancel();
+            self.gesture = Change::default();
+            self.follow(change);
+        }
+    }
+
+    /// One point back, or the open gesture. False if there is none.
+    pub(crate) fn undo(&mut self) -> bool {
+        let was_open = self.document.is_open();
+        let Some(change) = self.document.undo() else { return false };
+        self.gesture = Change::default();
         self.follow(change);
-        self.touched = Change::default();
+        if !was_open && self.is_behind() {
+            self.steps -= 1;
+        }
+        true
     }
 
-    pub(crate) fn undo(&mut self) {
-        if let Some(change) = self.document.undo() {
-            self.follow(change);
-            self.touched = Change::default();
+    /// One point forward. False if there is none.
+    pub(crate) fn redo(&mut self) -> bool {
+        let Some(change) = self.document.redo() else { return false };
+        self.follow(change);
+        if self.is_behind() {
+            self.steps += 1;
+        }
+        true
+    }
+
+    /// Takes back what asked for the pending work: the open gesture, and the steps through the history since the
+    /// clouds were last whole. Undo and redo lead there again. A scene that was opened so has nothing to take back.
+    pub(crate) fn cancel_pending(&mut self) {
+        if self.regeneration.pending().is_some() {
+            self.cancel();
+        }
+        while self.regeneration.pending().is_some() {
+            let moved = match self.steps.signum() {
+                1 => self.undo(),
+                -1 => self.redo(),
+                _ => false,
+            };
+            if !moved {
+                break;
+            }
         }
     }
 
-    pub(crate) fn redo(&mut self) {
-        if let Some(change) = self.document.redo() {
-            self.follow(change);
-            self.touched = Change::default();
+    /// Once a frame: takes up what was computed meanwhile, and sees that what is wanted gets done.
+    pub(crate) fn keep_up(&mut self, context: &egui::Context) {
+        if let Some(derived) = self.regeneration.answer() {
+            self.derived = Arc::new(derived);
+            self.revision = Version::fresh();
+            self.catch_up(0);
+            context.request_repaint();
         }
+        let Self { regeneration, shown, derived, stale, .. } = self;
+        let wish = || Wish { scene: Arc::clone(shown), before: Arc::clone(derived), change: stale.clone() };
+        regeneration.keep_up(wish, context);
     }
 
     /// Undoes or redoes until `count` points are done.
     pub(crate) fn jump_to(&mut self, count: usize) {
-        let _ = count;
+        let before = self.document.history().done_count();
+        let Some(change) = self.document.jump_to(count) else { return };
+        self.gesture = Change::default();
+        self.follow(change);
+        if self.is_behind() {
+            self.steps += self.document.history().done_count() as isize - before as isize;
+        }
     }
 
     /// The scene lies at `path` as it is. Its atlas is looked for there.
@@ -161,12 +257,50 @@ impl Session {
         if change.touches_atlas() {
             self.load_atlas();
         }
-        self.touched.join(change);
-        if problem::check(self.document.scene()).iter().any(|problem| problem.severity == Severity::Error) {
+        let touches_sprites = change.touches_sprites();
+        self.stale.join(change);
+        self.is_sound = problem::check(self.scene()).iter().all(|problem| problem.severity != Severity::Error);
+        if !self.is_sound {
             return;
         }
-        Arc::make_mut(&mut self.derived).update(self.document.scene(), &self.touched);
-        self.shown = Arc::new(self.document.scene().clone());
+        self.shown = Arc::new(self.scene().clone());
         self.revision = Version::fresh();
+        // Light and cameras don't overtake the work on sprites.
+        if touches_sprites || self.regeneration.pending().is_none() {
+            self.catch_up(0);
+        }
+    }
+
+    /// Derives what is stale at once, if it is little or strews no more than `at_once` sprites; else has it done.
+    fn catch_up(&mut self, at_once: u64) {
+        if !self.is_behind() {
+            return;
+        }
+        let plan = self.derived.plan(&self.shown, &self.stale);
+        if !plan.is_little() && plan.sprites() > at_once {
+            return self.regeneration.want();
+        }
+        if let Some(derived) = plan.carry_out(&cloudwright_core::watch::Watch::default()) {
+            self.derived = Arc::new(derived);
+        }
+        self.regeneration.abandon();
+        if self.is_sound {
+            self.stale = Change::default();
+            self.steps = 0;
+        }
+    }
+
+    fn is_behind(&self) -> bool {
+        self.stale.touches_sprites()
+    }
+
+    /// A new point ends what could be redone.
+    fn count_point(&mut self) {
+        if self.is_behind() {
+            self.steps = self.steps.max(0) + 1;
+        }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -14,6 +14,7 @@ mod model;
 mod outline;
 mod palette;
 mod problems;
+mod progress;
 mod shading_groups;
 mod sky;
 mod status;

@@ -1,12 +1,13 @@
 //! The line at the bottom: which renderer draws what, and what it costs.
 
-use crate::editor::Session;
+use super::progress::progress;
+use crate::editor::{Action, Session};
 use crate::viewport::Viewport;
 use cloudwright_core::math::clock;
-use egui::Ui;
+use egui::{Align, Layout, Ui};
 
 /// The status bar.
-pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport) {
+pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport, actions: &mut Vec<Action>) {
     let clouds = session.derived().clouds();
     let kept: usize = clouds.iter().map(|cloud| cloud.sprites.len()).sum();
     let tried: usize = clouds.iter().map(|cloud| cloud.candidate_count).sum();
@@ -20,5 +21,9 @@ pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport) {
         ui.label(format!("{kept} / {tried} sprites")).on_hover_text("Kept, and tried before culling.");
         ui.separator();
         ui.label(clock(session.scene().time_of_day_h));
+        if let Some(overdraw) = viewport.overdraw() {
+            ui.label(format!("{overdraw:.1}×")).on_hover_text("Overdraw: sprites blended on a pixel, in the mean.");
+        }
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| progress(ui, session, actions));
     });
 }

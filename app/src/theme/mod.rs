@@ -17,6 +17,8 @@ pub(crate) const DIALOG_WIDTH: f32 = 380.0;
 pub(crate) const WIDE_DIALOG_WIDTH: f32 = 560.0;
 /// Points.
 pub(crate) const DIALOG_LIST_HEIGHT: f32 = 320.0;
+/// Of a progress bar, points.
+pub(crate) const PROGRESS_WIDTH: f32 = 140.0;
 /// Of a field for a number, points.
 pub(crate) const NUMBER_WIDTH: f32 = 62.0;
 /// Of the column of names in the inspector, points.

@@ -91,6 +91,11 @@ impl Viewport {
         self.picture.time()
     }
 
+    /// How often the last picture's pixels were blended over, in the mean, where that is known.
+    pub(crate) fn overdraw(&self) -> Option<f32> {
+        self.picture.overdraw()
+    }
+
     pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         let session = reading.session;
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());

@@ -16,6 +16,9 @@ use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 use std::time::Duration;
 
+/// While a hand moves something, pictures should take no longer.
+const QUICK: Duration = Duration::from_millis(40);
+
 /// Larger pictures than any window need not be asked for.
 const MAX_SIDE: u32 = 8192;
 
@@ -32,6 +35,8 @@ pub(super) struct PictureSource {
     context: egui::Context,
     source: Source,
     asked: Option<Key>,
+    /// Of a picture's pixels, the side in the viewport's pixels.
+    coarseness: u32,
 }
 
 enum Source {
@@ -47,7 +52,7 @@ impl PictureSource {
             RendererChoice::Gpu => device.and_then(ByGpu::new),
         };
         let source = gpu.map_or_else(|| Source::Cpu(ByCpu::new(context)), |gpu| Source::Gpu(Box::new(gpu)));
-        Self { context: context.clone(), source, asked: None }
+        Self { context: context.clone(), source, asked: None, coarseness: 1 }
     }
 
     pub(super) fn renderer_name(&self) -> &str {
@@ -65,22 +70,33 @@ impl PictureSource {
         }
     }
 
+    /// How often the last picture's pixels were blended over, in the mean, where that is known.
+    pub(super) fn overdraw(&self) -> Option<f32> {
+        match &self.source {
+            Source::Cpu(cpu) => cpu.overdraw(),
+            Source::Gpu(_) => None,
+        }
+    }
+
     /// Has a picture of `size` pixels drawn if it would be another than the last one. While a hand moves something,
     /// `quick` lets a slow renderer draw less.
     pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], quick: bool) {
-        let halved = quick && matches!(self.source, Source::Cpu(_));
-        let size = size.map(|side| (if halved { side.div_ceil(2) } else { side }).clamp(1, MAX_SIDE));
+        self.coarseness = match &self.source {
+            Source::Cpu(cpu) if quick => coarseness(self.coarseness, cpu.last()),
+            _ => 1,
+        };
+        let size = size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
         let key = Key { revision: session.revision(), camera: camera.clone(), size };
         if self.asked.as_ref() == Some(&key) {
             return;
         }
         match &mut self.source {
-            Source::Cpu(cpu) => cpu.ask(session, camera, size),
+            Source::Cpu(cpu) => cpu.ask(session, camera, size, self.coarseness),
             Source::Gpu(gpu) => {
                 if let Err(error) = gpu.draw(session, camera, size) {
                     let mut cpu = ByCpu::new(&self.context);
                     cpu.explain(&error);
-                    cpu.ask(session, camera, size);
+                    cpu.ask(session, camera, size, self.coarseness);
                     self.source = Source::Cpu(cpu);
                 }
             }
@@ -94,5 +110,27 @@ impl PictureSource {
             Source::Cpu(cpu) => cpu.texture(),
             Source::Gpu(gpu) => gpu.texture(),
         }
+    }
+}
+
+/// How coarse the next picture of a gesture is to be, from `last`, the time of one and how coarse that was. It gets no
+/// finer than the gesture's pictures so far, lest it flicker between the two.
+fn coarseness(so_far: u32, last: Option<(Duration, u32)>) -> u32 {
+    const COARSEST: u32 = 4;
+    let Some((time, drawn_at)) = last else { return so_far };
+    let is_quick = |side: u32| time.mul_f32((drawn_at as f32 / side as f32).powi(2)) <= QUICK;
+    [1, 2].into_iter().find(|&side| side >= so_far && is_quick(side)).unwrap_or(COARSEST)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pictures_of_a_gesture_get_coarser_until_they_are_quick() {
+        let after = |so_far, ms, drawn_at| coarseness(so_far, Some((Duration::from_millis(ms), drawn_at)));
+        assert_eq!([after(1, 30, 1), after(1, 100, 1), after(1, 300, 1), after(1, 9000, 1)], [1, 2, 4, 4]);
+        assert_eq!([after(2, 30, 2), after(2, 50, 2), after(4, 5, 4), after(4, 500, 4)], [2, 4, 4, 4]);
+        assert_eq!(coarseness(1, None), 1);
     }
 }

@@ -24,7 +24,7 @@ pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> String 
     }
     out.push('\n');
     for cloud in clouds {
-        for sprite in &cloud.sprites {
+        for sprite in cloud.sprites.iter() {
             let position = cloud.origin + sprite.position.as_dvec3();
             let group = &cloud.groups[sprite.group as usize];
             let _ = write!(

@@ -2,8 +2,9 @@
 //! a new one would get an old id. Cameras' names are what the command line knows them by, so they differ too.
 
 use super::Problem;
-use crate::scene::Scene;
-use std::collections::{BTreeMap, BTreeSet};
+use crate::scene::{CloudModel, Scene};
+use rustc_hash::FxHashMap;
+use std::collections::BTreeSet;
 
 /// What JSON's readers hold exactly; a scene will not get that far by adding things.
 const LAST_ID: u64 = 1 << 53;
@@ -13,46 +14,36 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
         let message = format!("{} leaves no ids for new things", scene.next_id.0);
         problems.push(Problem::error("next_id", message, "set it to one more than the largest id in the scene"));
     }
-    let mut check_kind = |ids: Vec<(u64, String)>| {
-        let mut seen: BTreeMap<u64, String> = BTreeMap::new();
-        for (id, place) in ids {
+    // Places are put into words only where something is wrong: a drag asks at every step.
+    let mut check_kind = |ids: &mut dyn Iterator<Item = (u64, [usize; 2])>, place: &dyn Fn([usize; 2]) -> String| {
+        let mut seen: FxHashMap<u64, [usize; 2]> = FxHashMap::default();
+        for (id, at) in ids {
             if id >= scene.next_id.0 {
-                let hint = format!("raise next_id above {id}");
-                problems.push(Problem::error(
-                    &place,
-                    format!("id {id} is not below next_id, {}", scene.next_id.0),
-                    hint,
-                ));
+                let message = format!("id {id} is not below next_id, {}", scene.next_id.0);
+                problems.push(Problem::error(place(at), message, format!("raise next_id above {id}")));
             }
             if let Some(first) = seen.get(&id) {
-                problems.push(Problem::error(
-                    &place,
-                    format!("id {id} is taken already, at {first}"),
-                    "give it an id of its own",
-                ));
+                let message = format!("id {id} is taken already, at {}", place(*first));
+                problems.push(Problem::error(place(at), message, "give it an id of its own"));
             } else {
-                seen.insert(id, place);
+                seen.insert(id, at);
             }
         }
     };
     let models = || scene.models.iter().enumerate();
-    check_kind(scene.cameras.iter().enumerate().map(|(i, c)| (c.id.0, format!("cameras[{i}].id"))).collect());
-    check_kind(models().map(|(i, m)| (m.id.0, format!("models[{i}].id"))).collect());
-    check_kind(scene.clouds.iter().enumerate().map(|(i, c)| (c.id.0, format!("clouds[{i}].id"))).collect());
-    check_kind(
-        models()
-            .flat_map(|(i, m)| {
-                m.boxes.iter().enumerate().map(move |(j, b)| (b.id.0, format!("models[{i}].boxes[{j}].id")))
-            })
-            .collect(),
-    );
-    check_kind(
-        models()
-            .flat_map(|(i, m)| {
-                m.groups.iter().enumerate().map(move |(j, g)| (g.id.0, format!("models[{i}].groups[{j}].id")))
-            })
-            .collect(),
-    );
+    let in_list = |list: &'static str| move |[i, _]: [usize; 2]| format!("{list}[{i}].id");
+    let in_model = |list: &'static str| move |[i, j]: [usize; 2]| format!("models[{i}].{list}[{j}].id");
+    let boxes = |(i, m): (usize, &'_ CloudModel)| -> Vec<_> {
+        m.boxes.iter().enumerate().map(|(j, b)| (b.id.0, [i, j])).collect()
+    };
+    let groups = |(i, m): (usize, &'_ CloudModel)| -> Vec<_> {
+        m.groups.iter().enumerate().map(|(j, g)| (g.id.0, [i, j])).collect()
+    };
+    check_kind(&mut scene.cameras.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("cameras"));
+    check_kind(&mut models().map(|(i, m)| (m.id.0, [i, 0])), &in_list("models"));
+    check_kind(&mut scene.clouds.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("clouds"));
+    check_kind(&mut models().flat_map(boxes), &in_model("boxes"));
+    check_kind(&mut models().flat_map(groups), &in_model("groups"));
     let mut names = BTreeSet::new();
     for (i, camera) in scene.cameras.iter().enumerate() {
         if !names.insert(&camera.name) {

@@ -3,6 +3,7 @@
 use super::Problem;
 use crate::scene::{CloudBox, CloudModel, GroupId, ModelId, Scene};
 use std::collections::BTreeSet;
+use std::fmt::Arguments;
 
 pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
     let models: BTreeSet<ModelId> = scene.models.iter().map(|model| model.id).collect();
@@ -18,13 +19,13 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
     for (i, model) in scene.models.iter().enumerate() {
         let groups: BTreeSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
         for (j, cloud_box) in model.boxes.iter().enumerate() {
-            check_box(&format!("models[{i}].boxes[{j}]"), (model, &groups), cloud_box, problems);
+            check_box(format_args!("models[{i}].boxes[{j}]"), (model, &groups), cloud_box, problems);
         }
     }
 }
 
 fn check_box(
-    place: &str,
+    place: Arguments<'_>,
     (model, ids): (&CloudModel, &BTreeSet<GroupId>),
     cloud_box: &CloudBox,
     problems: &mut Vec<Problem>,
@@ -36,7 +37,7 @@ fn check_box(
     }
     let mut seen = BTreeSet::new();
     for (k, edit) in cloud_box.sprite_edits.iter().enumerate() {
-        let place = format!("{place}.sprite_edits[{k}]");
+        let place = format_args!("{place}.sprite_edits[{k}]");
         if let Some(id) = missing(&edit.group) {
             problems.push(Problem::error(format!("{place}.group"), format!("there is no group {id}"), groups()));
         }

@@ -1,44 +1,45 @@
 //! Every number must be one, and within the range of its [`Parameter`].
 //!
 //! NaN and infinities would spread through every sum; numbers beyond the ranges would overflow f32 or ask for more
-//! memory than there is.
+//! memory than there is. Places are put into words only where something is wrong: a drag asks at every step.
 
 use super::Problem;
 use crate::color::{Rgb, Rgba};
 use crate::parameter::{self as p, Parameter};
 use crate::scene::{CloudModel, CullRadius, GroupCenter, GroupLight, Scene, Sky, Sun};
 use glam::DVec3;
+use std::fmt::Arguments;
 
 pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
     let mut walk = Walk { problems };
-    walk.number("time_of_day_h".into(), &p::TIME_OF_DAY_H, scene.time_of_day_h);
-    walk.number("place.latitude_deg".into(), &p::LATITUDE_DEG, scene.place.latitude_deg);
-    walk.number("place.longitude_deg".into(), &p::LONGITUDE_DEG, scene.place.longitude_deg);
-    walk.number("place.utc_offset_h".into(), &p::UTC_OFFSET_H, scene.place.utc_offset_h);
+    walk.number(format_args!("time_of_day_h"), &p::TIME_OF_DAY_H, scene.time_of_day_h);
+    walk.number(format_args!("place.latitude_deg"), &p::LATITUDE_DEG, scene.place.latitude_deg);
+    walk.number(format_args!("place.longitude_deg"), &p::LONGITUDE_DEG, scene.place.longitude_deg);
+    walk.number(format_args!("place.utc_offset_h"), &p::UTC_OFFSET_H, scene.place.utc_offset_h);
     if let Sun::ByHand { heading_deg, elevation_deg } = scene.sun {
-        walk.number("sun.by_hand.heading_deg".into(), &p::HEADING_DEG, heading_deg);
-        walk.number("sun.by_hand.elevation_deg".into(), &p::ELEVATION_DEG, elevation_deg);
+        walk.number(format_args!("sun.by_hand.heading_deg"), &p::HEADING_DEG, heading_deg);
+        walk.number(format_args!("sun.by_hand.elevation_deg"), &p::ELEVATION_DEG, elevation_deg);
     }
     walk.sky(&scene.sky);
     if let Some(ground) = &scene.ground {
-        walk.number("ground.altitude_m".into(), &p::POSITION, ground.altitude_m);
-        walk.rgb("ground.dark", ground.dark);
-        walk.rgb("ground.bright", ground.bright);
+        walk.number(format_args!("ground.altitude_m"), &p::POSITION, ground.altitude_m);
+        walk.rgb(format_args!("ground.dark"), ground.dark);
+        walk.rgb(format_args!("ground.bright"), ground.bright);
     }
     for (i, camera) in scene.cameras.iter().enumerate() {
-        walk.point(&format!("cameras[{i}].position"), &p::POSITION, camera.position);
-        walk.number(format!("cameras[{i}].heading_deg"), &p::HEADING_DEG, camera.heading_deg);
-        walk.number(format!("cameras[{i}].pitch_deg"), &p::PITCH_DEG, camera.pitch_deg);
-        walk.number(format!("cameras[{i}].roll_deg"), &p::ROLL_DEG, camera.roll_deg);
-        walk.number(format!("cameras[{i}].field_of_view_deg"), &p::FIELD_OF_VIEW_DEG, camera.field_of_view_deg);
+        walk.point(format_args!("cameras[{i}].position"), &p::POSITION, camera.position);
+        walk.number(format_args!("cameras[{i}].heading_deg"), &p::HEADING_DEG, camera.heading_deg);
+        walk.number(format_args!("cameras[{i}].pitch_deg"), &p::PITCH_DEG, camera.pitch_deg);
+        walk.number(format_args!("cameras[{i}].roll_deg"), &p::ROLL_DEG, camera.roll_deg);
+        walk.number(format_args!("cameras[{i}].field_of_view_deg"), &p::FIELD_OF_VIEW_DEG, camera.field_of_view_deg);
     }
     for (i, model) in scene.models.iter().enumerate() {
-        walk.model(&format!("models[{i}]"), model);
+        walk.model(format_args!("models[{i}]"), model);
     }
     for (i, cloud) in scene.clouds.iter().enumerate() {
-        walk.point(&format!("clouds[{i}].position"), &p::POSITION, cloud.position);
-        walk.number(format!("clouds[{i}].heading_deg"), &p::HEADING_DEG, cloud.heading_deg);
-        walk.number(format!("clouds[{i}].scale"), &p::CLOUD_SCALE, cloud.scale);
+        walk.point(format_args!("clouds[{i}].position"), &p::POSITION, cloud.position);
+        walk.number(format_args!("clouds[{i}].heading_deg"), &p::HEADING_DEG, cloud.heading_deg);
+        walk.number(format_args!("clouds[{i}].scale"), &p::CLOUD_SCALE, cloud.scale);
     }
 }
 
@@ -47,83 +48,85 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
-    fn number(&mut self, place: String, parameter: &Parameter, value: f64) {
+    fn number(&mut self, place: Arguments<'_>, parameter: &Parameter, value: f64) {
         if parameter.allows(value) {
             return;
         }
         let Parameter { min, max, unit, doc, .. } = parameter;
         let space = if unit.is_empty() { "" } else { " " };
         self.problems.push(Problem::error(
-            place,
+            place.to_string(),
             format!("{value} is out of range"),
             format!("use {min} to {max}{space}{unit}. {doc}"),
         ));
     }
 
-    fn point(&mut self, place: &str, parameter: &Parameter, point: DVec3) {
+    fn point(&mut self, place: Arguments<'_>, parameter: &Parameter, point: DVec3) {
         for (axis, value) in ["x", "y", "z"].into_iter().zip(point.to_array()) {
-            self.number(format!("{place}.{axis}"), parameter, value);
+            self.number(format_args!("{place}.{axis}"), parameter, value);
         }
     }
 
-    fn rgb(&mut self, place: &str, color: Rgb) {
+    fn rgb(&mut self, place: Arguments<'_>, color: Rgb) {
         for (channel, value) in ["r", "g", "b"].into_iter().zip(color.to_array()) {
-            self.number(format!("{place}.{channel}"), &p::COLOR, value.into());
+            self.number(format_args!("{place}.{channel}"), &p::COLOR, value.into());
         }
     }
 
-    fn rgba(&mut self, place: &str, color: Rgba) {
+    fn rgba(&mut self, place: Arguments<'_>, color: Rgba) {
         self.rgb(place, color.rgb);
-        self.number(format!("{place}.a"), &p::ALPHA, color.a.into());
+        self.number(format_args!("{place}.a"), &p::ALPHA, color.a.into());
     }
 
     fn sky(&mut self, sky: &Sky) {
         for (i, key) in sky.ambient.keys.iter().enumerate() {
-            self.number(format!("sky.ambient[{i}].hour"), &p::TIME_OF_DAY_H, key.hour);
-            self.rgba(&format!("sky.ambient[{i}].value"), key.value);
+            self.number(format_args!("sky.ambient[{i}].hour"), &p::TIME_OF_DAY_H, key.hour);
+            self.rgba(format_args!("sky.ambient[{i}].value"), key.value);
         }
         for (i, key) in sky.directional.keys.iter().enumerate() {
-            self.number(format!("sky.directional[{i}].hour"), &p::TIME_OF_DAY_H, key.hour);
-            self.rgb(&format!("sky.directional[{i}].value"), key.value);
+            self.number(format_args!("sky.directional[{i}].hour"), &p::TIME_OF_DAY_H, key.hour);
+            self.rgb(format_args!("sky.directional[{i}].value"), key.value);
         }
-        self.number("sky.turbidity".into(), &p::TURBIDITY, sky.turbidity);
-        self.number("sky.gain".into(), &p::SKY_GAIN, sky.gain);
-        self.number("sky.haze_length_m".into(), &p::HAZE_LENGTH_M, sky.haze_length_m);
-        self.number("sky.exposure_ev".into(), &p::EXPOSURE_EV, sky.exposure_ev);
+        self.number(format_args!("sky.turbidity"), &p::TURBIDITY, sky.turbidity);
+        self.number(format_args!("sky.gain"), &p::SKY_GAIN, sky.gain);
+        self.number(format_args!("sky.haze_length_m"), &p::HAZE_LENGTH_M, sky.haze_length_m);
+        self.number(format_args!("sky.exposure_ev"), &p::EXPOSURE_EV, sky.exposure_ev);
     }
 
-    fn group_light(&mut self, place: &str, light: &GroupLight) {
-        self.number(format!("{place}.c_min"), &p::C_MIN, light.c_min);
-        self.number(format!("{place}.c_med"), &p::C_MED, light.c_med);
-        self.number(format!("{place}.c_max"), &p::C_MAX, light.c_max);
+    fn group_light(&mut self, place: Arguments<'_>, light: &GroupLight) {
+        self.number(format_args!("{place}.c_min"), &p::C_MIN, light.c_min);
+        self.number(format_args!("{place}.c_med"), &p::C_MED, light.c_med);
+        self.number(format_args!("{place}.c_max"), &p::C_MAX, light.c_max);
         match light.center {
             GroupCenter::Mean => {}
-            GroupCenter::Pulled(share) => self.number(format!("{place}.center.pulled"), &p::PULL, share),
-            GroupCenter::At(point) => self.point(&format!("{place}.center.at"), &p::POSITION, point),
+            GroupCenter::Pulled(share) => self.number(format_args!("{place}.center.pulled"), &p::PULL, share),
+            GroupCenter::At(point) => self.point(format_args!("{place}.center.at"), &p::POSITION, point),
         }
     }
 
-    fn model(&mut self, place: &str, model: &CloudModel) {
+    fn model(&mut self, place: Arguments<'_>, model: &CloudModel) {
         match model.cull_radius {
             CullRadius::SpriteFraction(share) => {
-                self.number(format!("{place}.cull_radius.sprite_fraction"), &p::CULL_FRACTION, share);
+                self.number(format_args!("{place}.cull_radius.sprite_fraction"), &p::CULL_FRACTION, share);
             }
             CullRadius::CloudHeightFraction(share) => {
-                self.number(format!("{place}.cull_radius.cloud_height_fraction"), &p::CULL_FRACTION, share);
+                self.number(format_args!("{place}.cull_radius.cloud_height_fraction"), &p::CULL_FRACTION, share);
             }
-            CullRadius::Metres(metres) => self.number(format!("{place}.cull_radius.metres"), &p::CULL_METRES, metres),
+            CullRadius::Metres(metres) => {
+                self.number(format_args!("{place}.cull_radius.metres"), &p::CULL_METRES, metres);
+            }
         }
         for (i, level) in model.color_levels.iter().enumerate() {
-            self.number(format!("{place}.color_levels[{i}].height"), &p::LEVEL_HEIGHT, level.height);
-            self.rgba(&format!("{place}.color_levels[{i}].color"), level.color);
+            self.number(format_args!("{place}.color_levels[{i}].height"), &p::LEVEL_HEIGHT, level.height);
+            self.rgba(format_args!("{place}.color_levels[{i}].color"), level.color);
         }
         for (i, group) in model.groups.iter().enumerate() {
-            self.group_light(&format!("{place}.groups[{i}].light"), &group.light);
+            self.group_light(format_args!("{place}.groups[{i}].light"), &group.light);
         }
         for (i, cloud_box) in model.boxes.iter().enumerate() {
-            let place = format!("{place}.boxes[{i}]");
-            self.point(&format!("{place}.center"), &p::POSITION, cloud_box.center);
-            self.point(&format!("{place}.size"), &p::BOX_SIZE, cloud_box.size);
+            let place = format_args!("{place}.boxes[{i}]");
+            self.point(format_args!("{place}.center"), &p::POSITION, cloud_box.center);
+            self.point(format_args!("{place}.size"), &p::BOX_SIZE, cloud_box.size);
             if (cloud_box.orientation.length() - 1.0).abs() > 1e-6 || !cloud_box.orientation.is_finite() {
                 let [x, y, z, w] = cloud_box.orientation.to_array();
                 self.problems.push(Problem::error(
@@ -132,19 +135,19 @@ impl Walk<'_> {
                     "a unit quaternion x, y, z, w; [0, 0, 0, 1] for none",
                 ));
             }
-            self.number(format!("{place}.sprite_count"), &p::SPRITE_COUNT, cloud_box.sprite_count.into());
+            self.number(format_args!("{place}.sprite_count"), &p::SPRITE_COUNT, cloud_box.sprite_count.into());
             for end in 0..2 {
-                self.number(format!("{place}.width[{end}]"), &p::SPRITE_SIZE, cloud_box.width[end]);
-                self.number(format!("{place}.height[{end}]"), &p::SPRITE_SIZE, cloud_box.height[end]);
-                self.number(format!("{place}.rotation_deg[{end}]"), &p::ROTATION_DEG, cloud_box.rotation_deg[end]);
+                self.number(format_args!("{place}.width[{end}]"), &p::SPRITE_SIZE, cloud_box.width[end]);
+                self.number(format_args!("{place}.height[{end}]"), &p::SPRITE_SIZE, cloud_box.height[end]);
+                self.number(format_args!("{place}.rotation_deg[{end}]"), &p::ROTATION_DEG, cloud_box.rotation_deg[end]);
             }
             for (axis, count) in cloud_box.lumps.into_iter().enumerate() {
-                self.number(format!("{place}.lumps[{axis}]"), &p::LUMPS, count.into());
+                self.number(format_args!("{place}.lumps[{axis}]"), &p::LUMPS, count.into());
             }
-            self.group_light(&format!("{place}.light"), &cloud_box.light);
+            self.group_light(format_args!("{place}.light"), &cloud_box.light);
             for (j, edit) in cloud_box.sprite_edits.iter().enumerate() {
                 if let Some(moved) = edit.moved {
-                    self.point(&format!("{place}.sprite_edits[{j}].moved"), &p::SPRITE_PLACE, moved);
+                    self.point(format_args!("{place}.sprite_edits[{j}].moved"), &p::SPRITE_PLACE, moved);
                 }
             }
         }

@@ -2,6 +2,7 @@
 
 use crate::random::{draw, unit};
 use crate::scene::{BoxId, CloudBox, CloudModel, CullRadius, GroupId, SpriteEdit};
+use crate::watch::Watch;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
 
@@ -39,11 +40,15 @@ impl Candidate {
 
 /// All candidates of a model, box by box in order of index, those dropped by hand left out.
 pub fn candidates(model: &CloudModel, seed: u64) -> Vec<Candidate> {
+    candidates_watched(model, seed, &Watch::default())
+}
+
+pub(super) fn candidates_watched(model: &CloudModel, seed: u64, watch: &Watch) -> Vec<Candidate> {
     let mut all = Vec::with_capacity(model.boxes.iter().map(|b| b.sprite_count as usize).sum());
     for cloud_box in &model.boxes {
         let weights = cloud_box.category.unwrap_or(model.category).tile_weights();
         let edits: FxHashMap<u32, &SpriteEdit> = cloud_box.sprite_edits.iter().map(|edit| (edit.index, edit)).collect();
-        all.extend((0..cloud_box.sprite_count).filter_map(|index| {
+        all.extend(watch.along(super::DRAWING, 0..cloud_box.sprite_count).filter_map(|index| {
             let edit = if edits.is_empty() { None } else { edits.get(&index).copied() };
             (!edit.is_some_and(|e| e.dropped)).then(|| candidate(cloud_box, seed, index, &weights, edit))
         }));

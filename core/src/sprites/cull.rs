@@ -6,12 +6,17 @@
 //! square, whatever the mix of sizes. [`cull_slow`] asks all pairs and is the fast way's oracle.
 
 use super::Candidate;
+use crate::watch::Watch;
 use glam::DVec3;
 
 /// For each candidate whether it is kept. `radii` has one radius, in metres, for each candidate.
 pub fn cull(candidates: &[Candidate], radii: &[f64]) -> Vec<bool> {
+    cull_watched(candidates, radii, &Watch::default())
+}
+
+pub(super) fn cull_watched(candidates: &[Candidate], radii: &[f64], watch: &Watch) -> Vec<bool> {
     let mut kept = Octree::around(candidates.iter().map(|candidate| candidate.position));
-    walk(candidates, radii, |question| match question {
+    walk(candidates, radii, watch, |question| match question {
         Question::IsOneCloser(position, radius) => kept.any_closer(position, radius),
         Question::Keep(position) => {
             kept.insert(position);
@@ -23,7 +28,7 @@ pub fn cull(candidates: &[Candidate], radii: &[f64]) -> Vec<bool> {
 /// The same by asking all pairs: quadratic, plain, for tests.
 pub fn cull_slow(candidates: &[Candidate], radii: &[f64]) -> Vec<bool> {
     let mut kept: Vec<DVec3> = Vec::new();
-    walk(candidates, radii, |question| match question {
+    walk(candidates, radii, &Watch::default(), |question| match question {
         Question::IsOneCloser(position, radius) => kept.iter().any(|other| is_closer(position, *other, radius)),
         Question::Keep(position) => {
             kept.push(position);
@@ -39,10 +44,11 @@ enum Question {
     Keep(DVec3),
 }
 
-fn walk(candidates: &[Candidate], radii: &[f64], mut ask: impl FnMut(Question) -> bool) -> Vec<bool> {
+fn walk(candidates: &[Candidate], radii: &[f64], watch: &Watch, mut ask: impl FnMut(Question) -> bool) -> Vec<bool> {
     let mut keep = vec![false; candidates.len()];
     for moved_ones in [true, false] {
-        for (i, candidate) in candidates.iter().enumerate().filter(|(_, c)| c.moved == moved_ones) {
+        let of_this_turn = candidates.iter().enumerate().filter(|(_, c)| c.moved == moved_ones);
+        for (i, candidate) in watch.along(super::CULLING, of_this_turn) {
             if moved_ones || !ask(Question::IsOneCloser(candidate.position, radii[i])) {
                 keep[i] = true;
                 ask(Question::Keep(candidate.position));

@@ -5,9 +5,11 @@
 
 use super::{Candidate, PopulatedModel};
 use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
+use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt;
+use std::sync::Arc;
 
 /// A sprite that is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -73,7 +75,7 @@ pub struct Group {
     pub sprite_count: usize,
 }
 
-/// A cloud ready to be drawn.
+/// A cloud ready to be drawn. Copies share their sprites and groups.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedCloud {
     /// Its id.
@@ -87,9 +89,9 @@ pub struct PlacedCloud {
     /// What was tried, before culling.
     pub candidate_count: usize,
     /// In the order of boxes and indices.
-    pub sprites: Vec<Sprite>,
+    pub sprites: Arc<[Sprite]>,
     /// In the order of their first sprite.
-    pub groups: Vec<Group>,
+    pub groups: Arc<[Group]>,
     /// Centre of the bounding box of the sprites' centres, relative to `origin`, metres.
     pub center: Vec3,
     /// Half that box's diagonal, metres.
@@ -122,6 +124,17 @@ pub fn place(
     populated: &PopulatedModel,
     ground_altitude_m: Option<f64>,
 ) -> PlacedCloud {
+    place_watched(cloud, model, populated, ground_altitude_m, &Watch::default())
+}
+
+/// The same under a watch; some sprites are missing if that is cancelled.
+pub(crate) fn place_watched(
+    cloud: &Cloud,
+    model: &CloudModel,
+    populated: &PopulatedModel,
+    ground_altitude_m: Option<f64>,
+    watch: &Watch,
+) -> PlacedCloud {
     let turn = heading_turn(cloud.heading_deg);
     // Positions count from the sprites' middle, wherever in its model the artist built the cloud.
     let middle = middle(&populated.sprites);
@@ -132,9 +145,8 @@ pub fn place(
     let named_groups: FxHashSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
     let mut group_of_key: FxHashMap<GroupKey, u32> = FxHashMap::default();
     let mut keys: Vec<GroupKey> = Vec::new();
-    let sprites: Vec<Sprite> = populated
-        .sprites
-        .iter()
+    let sprites: Arc<[Sprite]> = watch
+        .along(super::PLACING, &populated.sprites)
         .map(|candidate| {
             let key = key_of(candidate, &named_groups);
             let group = *group_of_key.entry(key).or_insert_with(|| {
@@ -209,7 +221,7 @@ fn groups(
     model: &CloudModel,
     cloud_center: Vec3,
     to_world: impl Fn(DVec3) -> DVec3,
-) -> Vec<Group> {
+) -> Arc<[Group]> {
     let mut sums = vec![(DVec3::ZERO, 0_usize); keys.len()];
     for sprite in sprites {
         let (sum, count) = &mut sums[sprite.group as usize];

@@ -2,6 +2,7 @@
 
 mod architecture;
 mod assets;
+mod derived;
 mod draw_list;
 mod export;
 mod overdraw;

@@ -75,7 +75,7 @@ fn every_corner_of_a_cloud_is_lit_by_both_lights() {
             let derived = Derived::new(&scene);
             let cloud = &derived.clouds()[0];
             let mut brightest = 0.0_f32;
-            for sprite in &cloud.sprites {
+            for sprite in cloud.sprites.iter() {
                 let group = &cloud.groups[sprite.group as usize];
                 let lit = corner_light(sprite.position + Vec3::splat(sprite.radius()), cloud, group, &light);
                 let level = level_color(&cloud.color_levels, lit.height);

@@ -172,7 +172,7 @@ fn a_placed_model_is_turned_and_scaled_with_its_sprites() {
     scene.clouds[0].scale = 2.0;
     let turned = Derived::new(&scene).clouds()[0].clone();
     assert_eq!(plain.sprites.len(), turned.sprites.len(), "cull metres scale too");
-    for (a, b) in plain.sprites.iter().zip(&turned.sprites) {
+    for (a, b) in plain.sprites.iter().zip(turned.sprites.iter()) {
         // 90° clockwise seen from above takes east (x) to south (z) and north (−z) to east.
         let want = glam::Vec3::new(-a.position.z, a.position.y, a.position.x) * 2.0;
         assert!(b.position.distance(want) < 1e-3, "{} {want}", b.position);
@@ -216,7 +216,8 @@ fn only_what_changed_is_computed_again() {
     let change = document.edit("Level", [Edit::Model(ListEdit::Replace(model))]).expect("in range");
     derived.update(document.scene(), &change);
     assert_eq!(derived.work_done().models_populated, start.models_populated, "colours strew no sprites");
-    assert_eq!(derived.work_done().clouds_placed, start.clouds_placed + uses);
+    assert_eq!(derived.work_done().clouds_placed, start.clouds_placed, "nor do they place any");
+    assert_eq!(derived.work_done().clouds_dressed, start.clouds_dressed + uses);
     assert_eq!(derived.clouds(), Derived::new(document.scene()).clouds(), "as if all were computed anew");
     let change = document.edit("Hour", [Edit::TimeOfDay(3.0)]).expect("in range");
     let before = derived.work_done();

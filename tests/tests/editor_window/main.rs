@@ -6,6 +6,7 @@
 
 mod editing;
 mod files;
+mod off_frame;
 mod viewing;
 
 use cloudwright::command::Command;

@@ -28,6 +28,10 @@ impl Editor {
                 Action::SetFromView(id) => self.set_from_view(id),
                 Action::Change { name, edits, live } => self.change(name, edits, live),
                 Action::View(change) => self.change_view(change),
+                Action::CancelPending => {
+                    self.session.cancel_pending();
+                    self.view.keep_what_is_in(self.session.scene());
+                }
                 Action::JumpTo(count) => {
                     self.session.jump_to(count);
                     self.view.keep_what_is_in(self.session.scene());

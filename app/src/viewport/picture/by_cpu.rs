@@ -19,11 +19,15 @@ struct Request {
     atlas: SceneAtlas,
     camera: Camera,
     size: [u32; 2],
+    coarseness: u32,
 }
 
 struct Answer {
     picture: Result<Picture, RenderError>,
     time: Duration,
+    coarseness: u32,
+    /// Sprites blended on a pixel, in the mean; not measured yet.
+    overdraw: Option<f32>,
 }
 
 pub(super) struct ByCpu {
@@ -32,14 +36,15 @@ pub(super) struct ByCpu {
     worker: Option<Latest<Request, Answer>>,
     name: String,
     texture: Option<TextureHandle>,
-    time: Option<Duration>,
+    last: Option<(Duration, u32)>,
+    overdraw: Option<f32>,
 }
 
 impl ByCpu {
     pub(super) fn new(context: &egui::Context) -> Self {
         let wake = context.clone();
         let worker = Latest::start("pictures", |request| draw(&request), move || wake.request_repaint()).ok();
-        Self { context: context.clone(), worker, name: Renderer::Cpu.name(), texture: None, time: None }
+        Self { context: context.clone(), worker, name: Renderer::Cpu.name(), texture: None, last: None, overdraw: None }
     }
 
     /// Why the CPU draws although a GPU was meant to.
@@ -52,21 +57,31 @@ impl ByCpu {
     }
 
     pub(super) fn time(&self) -> Option<Duration> {
-        self.time
+        self.last.map(|(time, _)| time)
     }
 
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2]) {
+    /// What the last picture took, and how coarse it was.
+    pub(super) fn last(&self) -> Option<(Duration, u32)> {
+        self.last
+    }
+
+    pub(super) fn overdraw(&self) -> Option<f32> {
+        self.overdraw
+    }
+
+    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], coarseness: u32) {
         if let Some(worker) = &self.worker {
             let (scene, derived, atlas) = session.to_draw();
-            worker.ask(Request { scene, derived, atlas, camera: camera.clone(), size });
+            worker.ask(Request { scene, derived, atlas, camera: camera.clone(), size, coarseness });
         }
     }
 
     pub(super) fn texture(&mut self) -> Option<TextureId> {
         let answer = self.worker.as_ref().and_then(Latest::newest);
-        if let Some(Answer { picture: Ok(picture), time }) = answer {
+        if let Some(Answer { picture: Ok(picture), time, coarseness, overdraw }) = answer {
             self.show(&picture);
-            self.time = Some(time);
+            self.last = Some((time, coarseness));
+            self.overdraw = overdraw;
         }
         self.texture.as_ref().map(TextureHandle::id)
     }
@@ -84,7 +99,7 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, atlas, camera, size } = request;
+    let Request { scene, derived, atlas, camera, size, coarseness } = request;
     let frame = Frame::new(scene, derived, opening::sheet(atlas), camera, scene.time_of_day_h, *size);
-    Answer { picture: Renderer::Cpu.picture(&frame, 1), time: begun.elapsed() }
+    Answer { picture: Renderer::Cpu.picture(&frame, 1), time: begun.elapsed(), coarseness: *coarseness, overdraw: None }
 }

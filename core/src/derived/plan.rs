@@ -1,0 +1,227 @@
+//! What is to be computed for a scene, told before it is done: which models to strew, which clouds to place, which
+//! only take other colours.
+
+use super::{Derived, Key, Populated, Source, Stand};
+use crate::document::Change;
+use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene};
+use crate::sprites::{PLACING, PlacedCloud, STREWING, place_watched, populate_watched};
+use crate::version::Version;
+use crate::watch::Watch;
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// The way from one state of the caches to the next.
+#[derive(Debug)]
+pub struct Plan<'a> {
+    before: &'a Derived,
+    ground_altitude_m: Option<f64>,
+    /// Models whose sprites stay.
+    kept: FxHashMap<Key, Populated>,
+    /// Models to strew.
+    fresh: Vec<(Key, Arc<CloudModel>)>,
+    clouds: Vec<Step<'a>>,
+    work: u64,
+}
+
+/// What becomes of a cloud.
+#[derive(Debug)]
+enum Step<'a> {
+    /// The one of that position before, as it was.
+    Keep(usize),
+    /// The one of that position before, with other colours or another name.
+    Dress(usize, &'a Cloud, Populated),
+    Place(&'a Cloud, Key),
+}
+
+impl<'a> Plan<'a> {
+    /// Up to so many sprites to strew, what there is to do is little: some 15 ms on one core.
+    pub const LITTLE: u64 = 10_000;
+
+    pub(super) fn new(before: &'a Derived, scene: &'a Scene, change: &Change) -> Self {
+        let models: FxHashMap<ModelId, &CloudModel> = scene.models.iter().map(|model| (model.id, model)).collect();
+        let key_of = |cloud: &Cloud| -> Option<Key> {
+            let model = models.get(&cloud.model)?;
+            Some((model.id, cloud.seed.unwrap_or(model.seed)))
+        };
+        let ground_altitude_m = scene.ground.as_ref().map(|ground| ground.altitude_m);
+        let mut plan = Self {
+            before,
+            ground_altitude_m,
+            kept: FxHashMap::default(),
+            fresh: Vec::new(),
+            clouds: Vec::new(),
+            work: 0,
+        };
+        let mut wanted: Vec<Key> = scene.clouds.iter().filter_map(key_of).collect();
+        wanted.sort_unstable();
+        wanted.dedup();
+        plan.sort_out_models(&wanted, &models, change);
+        let mut old: FxHashMap<CloudId, usize> =
+            before.clouds.iter().enumerate().map(|(position, cloud)| (cloud.id, position)).collect();
+        for cloud in &scene.clouds {
+            let (old, key) = (old.remove(&cloud.id), key_of(cloud));
+            let touched =
+                change.touches_cloud(cloud.id) || change.touches_model(cloud.model) || change.touches_ground();
+            match (old, key) {
+                (Some(old), _) if !touched => plan.clouds.push(Step::Keep(old)),
+                (old, Some(key)) => plan.sort_out_cloud(cloud, key, old),
+                (_, None) => {}
+            }
+        }
+        plan
+    }
+
+    /// Which models and seeds in use keep their sprites, and which are not what they were.
+    fn sort_out_models(&mut self, wanted: &[Key], models: &FxHashMap<ModelId, &CloudModel>, change: &Change) {
+        // One copy of a touched model for all its seeds.
+        let mut copies: FxHashMap<ModelId, Arc<CloudModel>> = FxHashMap::default();
+        let mut copy =
+            |model: &CloudModel| Arc::clone(copies.entry(model.id).or_insert_with(|| Arc::new(model.clone())));
+        for key in wanted {
+            let Some(model) = models.get(&key.0) else { continue };
+            match self.before.populated.get(key) {
+                Some(kept) if !change.touches_model(key.0) => {
+                    self.kept.insert(*key, kept.clone());
+                }
+                Some(old) if same_sprites(&old.model, model) => {
+                    let sprites = Arc::clone(&old.sprites);
+                    self.kept.insert(*key, Populated { model: copy(model), sprites });
+                }
+                _ => {
+                    self.work += STREWING * sprites_tried(model);
+                    self.fresh.push((*key, copy(model)));
+                }
+            }
+        }
+    }
+
+    fn sort_out_cloud(&mut self, cloud: &'a Cloud, key: Key, old: Option<usize>) {
+        let populated = self.kept.get(&key);
+        if let (Some(old), Some(populated)) = (old, populated) {
+            let (placed, source) = (&self.before.clouds[old], &self.before.sources[old]);
+            let stands = source.stand == Stand::of(cloud, self.ground_altitude_m)
+                && Arc::ptr_eq(&source.populated.sprites, &populated.sprites)
+                && same_groups(&source.populated.model, &populated.model);
+            if stands {
+                let as_it_was = placed.name == cloud.name && placed.color_levels == populated.model.color_levels;
+                let step = if as_it_was { Step::Keep(old) } else { Step::Dress(old, cloud, populated.clone()) };
+                return self.clouds.push(step);
+            }
+        }
+        let of_fresh = || self.fresh.iter().find(|(each, _)| *each == key).map_or(0, |(_, model)| sprites_tried(model));
+        self.work += PLACING * populated.map_or_else(of_fresh, |populated| populated.sprites.sprites.len() as u64);
+        self.clouds.push(Step::Place(cloud, key));
+    }
+
+    /// How much there is to do, as that many sprites to strew.
+    pub fn sprites(&self) -> u64 {
+        self.work / STREWING
+    }
+
+    /// Whether it is done sooner than handed to another thread and waited for.
+    pub fn is_little(&self) -> bool {
+        self.sprites() <= Self::LITTLE
+    }
+
+    /// Computes it. None if `watch` was cancelled meanwhile.
+    pub fn carry_out(self, watch: &Watch) -> Option<Derived> {
+        watch.expect(self.work);
+        // The pool may be busy with a picture, and a frame of the window must not wait for that.
+        let in_parallel = !self.is_little();
+        let Self { before, ground_altitude_m, mut kept, fresh, clouds, .. } = self;
+        let mut work = before.work;
+        work.models_populated += fresh.len() as u64;
+        let fresh = map_all(fresh, in_parallel, |((id, seed), model)| {
+            let sprites = Arc::new(populate_watched(&model, seed, watch));
+            ((id, seed), Populated { model, sprites })
+        });
+        kept.extend(fresh);
+        let count = |wanted: fn(&Step<'_>) -> bool| clouds.iter().filter(|step| wanted(step)).count() as u64;
+        let (placed, dressed) =
+            (count(|step| matches!(step, Step::Place(..))), count(|step| matches!(step, Step::Dress(..))));
+        work.clouds_placed += placed;
+        work.clouds_dressed += dressed;
+        let same_order = clouds.len() == before.clouds.len()
+            && clouds.iter().enumerate().all(|(at, step)| matches!(step, Step::Keep(old) if *old == at));
+        let clouds = map_all(clouds, in_parallel, |step| match step {
+            Step::Keep(old) => Some((before.clouds[old].clone(), before.sources[old].clone())),
+            Step::Dress(old, cloud, populated) => {
+                let name = cloud.name.clone();
+                let color_levels = populated.model.color_levels;
+                let dressed = PlacedCloud { name, color_levels, ..before.clouds[old].clone() };
+                Some((dressed, Source { stand: before.sources[old].stand, populated }))
+            }
+            Step::Place(cloud, key) => {
+                let populated = kept.get(&key)?.clone();
+                let placed = place_watched(cloud, &populated.model, &populated.sprites, ground_altitude_m, watch);
+                Some((placed, Source { stand: Stand::of(cloud, ground_altitude_m), populated }))
+            }
+        });
+        if watch.is_cancelled() {
+            return None;
+        }
+        let version = if same_order { before.version } else { Version::fresh() };
+        let (clouds, sources) = clouds.into_iter().flatten().unzip();
+        Some(Derived { clouds, sources, version, populated: kept, work })
+    }
+}
+
+fn map_all<T: Send, R: Send>(items: Vec<T>, in_parallel: bool, f: impl Fn(T) -> R + Send + Sync) -> Vec<R> {
+    if in_parallel { items.into_par_iter().map(f).collect() } else { items.into_iter().map(f).collect() }
+}
+
+fn sprites_tried(model: &CloudModel) -> u64 {
+    model.boxes.iter().map(|each| u64::from(each.sprite_count)).sum()
+}
+
+/// Whether two states of a model strew the same sprites, whatever their colours, light and names.
+fn same_sprites(a: &CloudModel, b: &CloudModel) -> bool {
+    a.boxes.len() == b.boxes.len()
+        && a.boxes.iter().zip(&b.boxes).all(|(a, b)| same_box(a, b))
+        && a.cull_radius == b.cull_radius
+        && a.category == b.category
+}
+
+fn same_box(a: &CloudBox, b: &CloudBox) -> bool {
+    // By its fields, so that a new one can't be forgotten.
+    let CloudBox {
+        id,
+        name: _,
+        center,
+        size,
+        orientation,
+        sprite_count,
+        width,
+        height,
+        rotation_deg,
+        category,
+        group,
+        light: _,
+        lumps,
+        key,
+        seed,
+        sprite_edits,
+    } = a;
+    *id == b.id
+        && *center == b.center
+        && *size == b.size
+        && *orientation == b.orientation
+        && *sprite_count == b.sprite_count
+        && *width == b.width
+        && *height == b.height
+        && *rotation_deg == b.rotation_deg
+        && *category == b.category
+        && *group == b.group
+        && *lumps == b.lumps
+        && *key == b.key
+        && *seed == b.seed
+        && *sprite_edits == b.sprite_edits
+}
+
+/// Whether two states of a model with the same sprites shade them in the same groups.
+fn same_groups(a: &CloudModel, b: &CloudModel) -> bool {
+    let lights = |model: &CloudModel| model.boxes.iter().map(|each| each.light).collect::<Vec<_>>();
+    let groups = |model: &CloudModel| model.groups.iter().map(|group| (group.id, group.light)).collect::<Vec<_>>();
+    lights(a) == lights(b) && groups(a) == groups(b)
+}

@@ -1,0 +1,96 @@
+//! A long computation's line to whoever waits for it: how far it has come, and whether it is still wanted.
+//!
+//! What is no longer wanted stops at its next look and leaves the rest of its result out, so whoever cancels, or may
+//! be cancelled, asks [`Watch::is_cancelled`] before using a result. Shared between threads; without a clock.
+
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+
+/// How many items pass between two looks.
+const STRIDE: u64 = 1024;
+
+/// Progress and an end before time.
+#[derive(Debug, Default)]
+pub struct Watch {
+    done: AtomicU64,
+    expected: AtomicU64,
+    cancelled: AtomicBool,
+}
+
+impl Watch {
+    /// Has the computation stop soon. There is no way back.
+    pub fn cancel(&self) {
+        self.cancelled.store(true, Ordering::Relaxed);
+    }
+
+    /// Whether the result, which may lack parts, is to be thrown away.
+    pub fn is_cancelled(&self) -> bool {
+        self.cancelled.load(Ordering::Relaxed)
+    }
+
+    /// How much is done, 0 to 1.
+    pub fn share(&self) -> f32 {
+        let (done, expected) = (self.done.load(Ordering::Relaxed), self.expected.load(Ordering::Relaxed));
+        if expected == 0 { 0.0 } else { (done as f32 / expected as f32).min(1.0) }
+    }
+
+    /// How much work will be done in all, in any unit.
+    pub(crate) fn expect(&self, work: u64) {
+        self.expected.store(work, Ordering::Relaxed);
+    }
+
+    /// `items`, each of which is some `work`, until there are no more or the watch is cancelled.
+    pub(crate) fn along<I: IntoIterator>(&self, work: u64, items: I) -> Along<'_, I::IntoIter> {
+        Along { watch: self, items: items.into_iter(), work, passed: 0 }
+    }
+}
+
+/// See [`Watch::along`].
+pub(crate) struct Along<'a, I> {
+    watch: &'a Watch,
+    items: I,
+    work: u64,
+    passed: u64,
+}
+
+impl<I: Iterator> Iterator for Along<'_, I> {
+    type Item = I::Item;
+
+    fn next(&mut self) -> Option<I::Item> {
+        if self.passed.is_multiple_of(STRIDE) {
+            if self.watch.is_cancelled() {
+                return None;
+            }
+            if self.passed > 0 {
+                self.watch.done.fetch_add(STRIDE * self.work, Ordering::Relaxed);
+            }
+        }
+        self.passed += 1;
+        self.items.next()
+    }
+
+    fn size_hint(&self) -> (usize, Option<usize>) {
+        (0, self.items.size_hint().1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn counts_and_stops() {
+        let watch = Watch::default();
+        watch.expect(30 * STRIDE);
+        assert_eq!(watch.along(3, 0..5 * STRIDE).count() as u64, 5 * STRIDE);
+        assert!((watch.share() - 0.5).abs() < 1e-6, "{}", watch.share());
+        let mut passed = 0;
+        for item in watch.along(1, 0..) {
+            passed += 1;
+            if item == 10 {
+                watch.cancel();
+            }
+        }
+        assert_eq!(passed, STRIDE);
+        assert_eq!(watch.along(1, 0..).next(), None);
+    }
+}

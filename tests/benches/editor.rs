@@ -1,0 +1,98 @@
+//! What one step of a drag costs on the window's thread: `cargo bench -p cloudwright-tests --bench editor`.
+//!
+//! From a value under the hand to the new draw list, in `overcast` (200 boxes, clouds of some 400 sprites), phase by
+//! phase: medians of many steps, in milliseconds and as a multiple of the floor: choosing and sorting the sprites in
+//! view, which any new picture needs. Target: from a changed colour level or sprite size to the new draw list in 5 ms.
+
+#![allow(clippy::print_stdout)] // A bench's answer is its table.
+
+use cloudwright_core::camera::View;
+use cloudwright_core::derived::Derived;
+use cloudwright_core::document::{Document, Edit, ListEdit};
+use cloudwright_core::draw_list::DrawList;
+use cloudwright_core::problem;
+use cloudwright_core::scene::{Cloud, CloudBox, CloudModel, Scene};
+use cloudwright_tests::authoring;
+use std::hint::black_box;
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+const PHASES: [&str; 7] = ["apply", "check", "share", "derive", "list", "total", "commit"];
+
+/// A scene with another value at each step.
+type Step = fn(&Scene, u32) -> Edit;
+
+const DRAGS: [(&str, Step); 4] = [
+    ("a colour level", |scene, step| {
+        let mut model = scene.models[0].clone();
+        model.color_levels[2].color.a = 0.5 + 0.001 * step as f32;
+        Edit::Model(ListEdit::Replace(model))
+    }),
+    ("a box's sprite size", |scene, step| {
+        let CloudModel { id, boxes, .. } = &scene.models[0];
+        let width = boxes[0].width.map(|width| width + f64::from(step));
+        Edit::Box(*id, ListEdit::Replace(CloudBox { width, ..boxes[0].clone() }))
+    }),
+    ("a box's place", |scene, _| {
+        let CloudModel { id, boxes, .. } = &scene.models[0];
+        let center = boxes[0].center + glam::DVec3::X;
+        Edit::Box(*id, ListEdit::Replace(CloudBox { center, ..boxes[0].clone() }))
+    }),
+    ("a cloud's place", |scene, _| {
+        let cloud = scene.clouds[0].clone();
+        Edit::Cloud(ListEdit::Replace(Cloud { position: cloud.position + glam::DVec3::X, ..cloud }))
+    }),
+];
+
+fn main() {
+    // `cargo test --benches` passes no --bench: then a few steps show that the bench still runs.
+    let steps = if std::env::args().any(|arg| arg == "--bench") { 200 } else { 2 };
+    let scene =
+        authoring::SCENES.iter().find(|(name, _)| *name == "overcast").map(|(_, make)| make()).unwrap_or_default();
+    println!("{:22}{}", "dragged, ms", PHASES.map(|phase| format!("{phase:>15}")).concat());
+    for (name, step) in DRAGS {
+        let medians = measure(&scene, step, steps);
+        let floor = medians[4];
+        let cells = medians.map(|ms| format!("{ms:>8.3} {:>5.2}×", ms / floor));
+        println!("{name:22}{}", cells.concat());
+    }
+}
+
+fn measure(scene: &Scene, step: Step, steps: u32) -> [f64; PHASES.len()] {
+    let mut document = Document::new(scene.clone());
+    let mut derived = Arc::new(Derived::new(scene));
+    let view = View::new(&scene.cameras[0], 1280, 720);
+    let mut times: [Vec<Duration>; PHASES.len()] = Default::default();
+    for number in 0..steps {
+        let drawn = Arc::clone(&derived); // A picture is being drawn from it.
+        let mut phase = 0;
+        let edit = step(document.scene(), number);
+        let mut clock = Instant::now();
+        let begun = clock;
+        let mut lap = |times: &mut [Vec<Duration>; PHASES.len()]| {
+            times[phase].push(clock.elapsed());
+            phase += 1;
+            clock = Instant::now();
+        };
+        document.begin("Drag");
+        let change = document.apply(edit).unwrap_or_default();
+        lap(&mut times);
+        black_box(problem::check(document.scene()));
+        lap(&mut times);
+        black_box(Arc::new(document.scene().clone()));
+        lap(&mut times);
+        Arc::make_mut(&mut derived).update(document.scene(), &change);
+        lap(&mut times);
+        black_box(DrawList::new(derived.clouds(), &view));
+        lap(&mut times);
+        times[5].push(begun.elapsed());
+        let ended = Instant::now();
+        let _ = document.commit();
+        times[6].push(ended.elapsed());
+        drop(drawn);
+    }
+    times.map(|mut times| {
+        times.sort_unstable();
+        times[times.len() / 2].as_secs_f64() * 1e3
+    })
+}
