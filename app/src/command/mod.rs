@@ -11,10 +11,14 @@ pub enum Command {
     New,
     /// Read a scene.
     Open,
+    /// Choose among the scenes that were open last.
+    OpenRecent,
     /// Write the scene.
     Save,
     /// Write the scene under another name.
     SaveAs,
+    /// Read the scene's file again.
+    Revert,
     /// Leave.
     Quit,
     /// One step back.
@@ -95,8 +99,17 @@ const CTRL_SHIFT: Modifiers = Modifiers::COMMAND.plus(Modifiers::SHIFT);
 pub const TABLE: &[Row] = &[
     row(Command::New, "New", "Start a new scene", keys(CTRL, Key::N), Menu::File, true),
     row(Command::Open, "Open…", "Open a scene file", keys(CTRL, Key::O), Menu::File, true),
+    row(
+        Command::OpenRecent,
+        "Open recent…",
+        "Open one of the last ten scenes",
+        keys(CTRL_SHIFT, Key::O),
+        Menu::File,
+        false,
+    ),
     row(Command::Save, "Save", "Save the scene", keys(CTRL, Key::S), Menu::File, true),
     row(Command::SaveAs, "Save as…", "Save under another name", keys(CTRL_SHIFT, Key::S), Menu::File, false),
+    row(Command::Revert, "Revert…", "Go back to the scene as it was last saved", None, Menu::File, false),
     row(Command::Quit, "Quit", "Close the editor", keys(CTRL, Key::Q), Menu::File, false),
     row(Command::Undo, "Undo", "Take the last change back", keys(CTRL, Key::Z), Menu::Edit, true),
     row(Command::Redo, "Redo", "Bring an undone change again", keys(CTRL_SHIFT, Key::Z), Menu::Edit, true),

@@ -1,7 +1,8 @@
 //! Actions and commands, carried out: the one arm a command.
 
+use super::dialogs::Dialog;
 use super::file_flow::Intent;
-use super::{Action, Editor, Selection, box_of, starter};
+use super::{Action, Ask, Editor, Selection, box_of, starter};
 use crate::command::Command;
 use cloudwright_core::document::{Edit, EditError, ListEdit};
 use cloudwright_core::scene::{BoxId, Camera, CameraId, Cloud, CloudBox, CloudId};
@@ -51,6 +52,8 @@ impl Editor {
         let document = self.session.document();
         let scene = document.scene();
         match command {
+            Command::OpenRecent => !self.desk.settings().recent().is_empty(),
+            Command::Revert => self.session.path().is_some() && document.is_modified(),
             Command::Undo => document.undo_name().is_some() || document.is_open(),
             Command::Redo => document.redo_name().is_some(),
             Command::AddBox | Command::PlaceModel => self.selection.model(scene).is_some(),
@@ -69,9 +72,11 @@ impl Editor {
         }
         match command {
             Command::New => self.want(Intent::New, context),
-            Command::Open => self.want(Intent::Open, context),
+            Command::Open => self.ask(Ask::Open, context),
+            Command::OpenRecent => self.list_recent(context),
             Command::Save => self.save(context),
             Command::SaveAs => self.save_as(context),
+            Command::Revert => self.dialogs.open(Dialog::Revert),
             Command::Quit => self.want(Intent::Quit, context),
             Command::Undo => {
                 self.session.undo();

@@ -5,10 +5,15 @@
 //! Selection, camera and layout are view state and never saved.
 
 mod action;
+mod autosave;
 mod carry_out;
+mod desk;
 mod dialogs;
 mod file_flow;
 mod files;
+mod on_disk;
+mod remember;
+mod save_flow;
 mod selection;
 mod session;
 mod starter;
@@ -19,16 +24,19 @@ pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::Selection;
 pub(crate) use selection::box_of;
 pub use session::Session;
+pub(crate) use starter::scene as starter_scene;
 pub use window::open_window;
 
 use crate::command;
 use crate::panel;
 use crate::renderer::RendererChoice;
+use crate::storage::Folders;
 use crate::theme;
 use crate::viewport::Viewport;
+use desk::Desk;
 use dialogs::Dialogs;
 use eframe::egui_wgpu::RenderState;
-use file_flow::Intent;
+pub(crate) use file_flow::Intent;
 use files::Waiting;
 use std::path::PathBuf;
 
@@ -38,6 +46,7 @@ pub struct Editor {
     selection: Selection,
     viewport: Viewport,
     file_dialogs: Box<dyn FileDialogs>,
+    desk: Desk,
     waiting: Option<Waiting>,
     after_save: Option<Intent>,
     dialogs: Dialogs,
@@ -65,19 +74,23 @@ pub struct Start {
     pub device: Option<RenderState>,
     /// How file names are asked for.
     pub file_dialogs: Box<dyn FileDialogs>,
+    /// Where settings and unsaved work are kept; none to remember nothing.
+    pub folders: Option<Folders>,
 }
 
 impl Editor {
     /// An editor for a window.
     pub fn new(context: &egui::Context, start: Start) -> Self {
-        let Start { scene: path, renderer, device, file_dialogs } = start;
+        let Start { scene: path, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
+        let (desk, notice) = Desk::new(context, folders);
         let session = Session::new(starter::scene(), None, None);
         let mut editor = Self {
             viewport: Viewport::new(context, &session, renderer, device),
             session,
             selection: Selection::Nothing,
             file_dialogs,
+            desk,
             waiting: None,
             after_save: None,
             dialogs: Dialogs::default(),
@@ -86,9 +99,14 @@ impl Editor {
             quitting: false,
             title: String::new(),
         };
+        editor.recall(context);
         if let Some(path) = path {
             editor.open_path(&path);
         }
+        if let Some(notice) = notice {
+            editor.tell_error(notice);
+        }
+        editor.offer_recovery();
         editor
     }
 
@@ -172,7 +190,9 @@ impl Editor {
 impl eframe::App for Editor {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
+        self.take_up_what_is_done(&context);
         self.answer_file_dialogs(&context);
+        self.take_dropped_files(&context);
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
         let mut actions: Vec<Action> = Vec::new();
@@ -189,5 +209,12 @@ impl eframe::App for Editor {
         self.end_gesture_on_release(&context);
         self.show_dialogs(&context);
         self.show_title(&context);
+        self.autosave(&context);
+        self.watch_file(&context);
+        self.remember_look(&context);
+    }
+
+    fn on_exit(&mut self) {
+        self.leave();
     }
 }
