@@ -143,7 +143,7 @@ mod tests {
         let home = tempfile::tempdir().expect("a folder");
         let folders = Folders::within(home.path());
         fs::create_dir_all(&folders.config).expect("writable");
-        for bad in ["", "{", "[]", "null", "{\"version\": 2}", "{\"recent\": 3}", "{\"theme\": \"pink\"}", "\u{0}"] {
+        for bad in ["", "{", "null", "{\"version\": 2}", "{\"recent\": 3}", "{\"theme\": \"pink\"}", "\u{0}"] {
             fs::write(file(&folders), bad).expect("writable");
             let (settings, notice) = Settings::load(&folders);
             assert_eq!(settings, Settings::default(), "{bad}");

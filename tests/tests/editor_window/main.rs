@@ -6,6 +6,9 @@
 
 mod editing;
 mod files;
+mod on_disk;
+mod recovery;
+mod remembering;
 mod viewing;
 
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session, Start};

@@ -82,17 +82,17 @@ impl Dialogs {
 impl Editor {
     /// Shows the top one. It stays until it is answered.
     pub(super) fn show_dialogs(&mut self, context: &egui::Context) {
-        if let Some(dialog) = self.dialogs.0.pop()
-            && let Some(unanswered) = self.show_dialog(dialog, context)
+        if let Some(mut dialog) = self.dialogs.0.pop()
+            && self.answer(&mut dialog, context).is_none()
         {
-            self.dialogs.0.push(unanswered);
+            self.dialogs.0.push(dialog);
         }
     }
 
-    /// Gives it back if it is not answered yet.
-    fn show_dialog(&mut self, mut dialog: Dialog, context: &egui::Context) -> Option<Dialog> {
+    /// None if it is not answered yet.
+    fn answer(&mut self, dialog: &mut Dialog, context: &egui::Context) -> Option<()> {
         let name = self.display_name();
-        match &mut dialog {
+        match dialog {
             Dialog::Unsaved(intent) => match Question::unsaved(&name).ask(context)? {
                 question::FIRST => self.save_and_go(intent.clone(), context),
                 question::SECOND => self.go(intent.clone(), context),
@@ -129,7 +129,7 @@ impl Editor {
                 Fate::Discard(at) => {
                     orphans.remove(at).slot.clear();
                     if !orphans.is_empty() {
-                        return Some(dialog);
+                        return None;
                     }
                 }
                 Fate::Later => {}
@@ -140,7 +140,7 @@ impl Editor {
             },
             Dialog::Trouble(trouble) => trouble.show(context)?,
         }
-        None
+        Some(())
     }
 }
 
