@@ -97,7 +97,7 @@ impl Editor {
     }
 
     pub(super) fn take_up_what_is_done(&mut self, context: &egui::Context) {
-        while let Some(done) = self.desk.clerk.next() {
+        while let Some(done) = self.desk.clerk.next_answer() {
             match done {
                 Done::Saved { path, mark, outcome } => self.saved(path, mark, outcome, context),
                 Done::Rescued(Err(error)) => self.tell_error(format!("The work can't be kept for a crash: {error}")),
@@ -114,5 +114,6 @@ impl Editor {
             self.desk.remember(move |settings| settings.window_size = Some(size));
         }
         self.drop_rescue();
+        self.desk.clerk.finish();
     }
 }

@@ -111,7 +111,7 @@ impl Editor {
         match ask {
             // Something may have been changed while the dialog was open, so the question comes after it.
             Ask::Open => self.want(Intent::OpenFile(path), context),
-            Ask::Save(_) => self.save_under(path, asked_already, context),
+            Ask::Save(_) => self.save_under(&path, asked_already, context),
         }
     }
 

@@ -208,6 +208,7 @@ impl eframe::App for Editor {
         self.carry_out(actions, &context);
         self.end_gesture_on_release(&context);
         self.show_dialogs(&context);
+        dialogs::show_drop_target(&context);
         self.show_title(&context);
         self.autosave(&context);
         self.watch_file(&context);

@@ -29,8 +29,8 @@ impl Editor {
     }
 
     /// Saves under a name that the user gave. Who chose it in a native dialog was asked there about a file that has it.
-    pub(super) fn save_under(&mut self, given: PathBuf, asked_already: bool, context: &egui::Context) {
-        let path = files::with_extension(given.clone());
+    pub(super) fn save_under(&mut self, given: &Path, asked_already: bool, context: &egui::Context) {
+        let path = files::with_extension(given.into());
         let over = if asked_already && path == given { Over::Anything } else { self.over(&path) };
         self.save_to(&path, over, context);
     }

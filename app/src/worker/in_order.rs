@@ -7,7 +7,7 @@ type Job<Answer> = Box<dyn FnOnce() -> Answer + Send>;
 
 /// A thread that does all its jobs in the order in which they came. When dropped it ends after the last one.
 #[derive(Debug)]
-pub struct InOrder<Answer> {
+pub struct InOrder<Answer: Send + 'static> {
     /// None when the system gave no thread: each job is then done at once.
     jobs: Option<Sender<Job<Answer>>>,
     answer: Sender<Answer>,
@@ -47,10 +47,18 @@ impl<Answer: Send + 'static> InOrder<Answer> {
     }
 
     /// The next answer, in the order of the jobs.
-    pub fn next(&mut self) -> Option<Answer> {
+    pub fn next_answer(&mut self) -> Option<Answer> {
         let answer = self.answers.try_recv().ok()?;
         self.waiting_count -= 1;
         Some(answer)
+    }
+
+    /// Waits for all jobs. What is asked for after this is done at once.
+    pub fn finish(&mut self) {
+        self.jobs = None;
+        if let Some(thread) = self.thread.take() {
+            let _ = thread.join();
+        }
     }
 
     /// Whether answers are still to come.
@@ -59,29 +67,26 @@ impl<Answer: Send + 'static> InOrder<Answer> {
     }
 }
 
-impl<Answer> Drop for InOrder<Answer> {
+impl<Answer: Send + 'static> Drop for InOrder<Answer> {
     fn drop(&mut self) {
-        self.jobs = None;
-        if let Some(thread) = self.thread.take() {
-            let _ = thread.join();
-        }
+        self.finish();
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::sync::Arc;
     use std::sync::atomic::{AtomicUsize, Ordering};
-    use std::sync::{Arc, mpsc};
 
     #[test]
     fn all_jobs_are_done_in_order_even_after_the_end() {
         let done = Arc::new(AtomicUsize::new(0));
-        let (tell, woken) = mpsc::channel();
+        let (tell, woken) = channel();
         let mut clerk = InOrder::start("test", move || {
             let _ = tell.send(());
         });
-        let (open, gate) = mpsc::channel::<()>();
+        let (open, gate) = channel::<()>();
         clerk.ask(move || {
             let _ = gate.recv();
             0
@@ -93,10 +98,10 @@ mod tests {
                 n
             });
         }
-        assert!(clerk.is_busy() && clerk.next().is_none());
+        assert!(clerk.is_busy() && clerk.next_answer().is_none());
         open.send(()).expect("it waits");
         woken.recv().expect("an answer");
-        assert_eq!(clerk.next(), Some(0));
+        assert_eq!(clerk.next_answer(), Some(0));
         drop(clerk);
         assert_eq!(done.load(Ordering::SeqCst), 9);
     }

@@ -14,7 +14,7 @@ use super::{Editor, Intent};
 use crate::storage::{Orphan, Over};
 use crate::theme;
 use cloudwright_core::problem::Problem;
-use egui::{Id, Modal, Ui};
+use egui::{Align2, Id, Modal, Ui};
 use question::Question;
 use recovery::Fate;
 use std::mem::discriminant;
@@ -142,6 +142,17 @@ impl Editor {
         }
         Some(())
     }
+}
+
+/// While a file is held over the window.
+pub(super) fn show_drop_target(context: &egui::Context) {
+    if context.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    egui::Area::new(Id::unique("drop target"))
+        .order(egui::Order::Foreground)
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .show(context, |ui| theme::dialog(context).show(ui, |ui| ui.heading("Drop a scene to open it")));
 }
 
 /// A window with a heading. `add` returns the answer; closing it another way is `or_closed`.
