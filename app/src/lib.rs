@@ -1,7 +1,7 @@
 //! The program: an editor window and a command line over one library of clouds.
 //!
 //! The only place with a window, files and a clock. [`cli`] is one file a subcommand; [`editor`] is the window's frame
-//! in order, with its panels and viewport; [`storage`] is the only file access and [`opening`] what both make of a
+//! in order, with its panels and viewport; [`storage`] is the only file access, [`opening`] and [`saving`] what both make of a
 //! scene file; `renderer` chooses between GPU and CPU.
 
 pub mod cli;
@@ -11,6 +11,7 @@ pub mod opening;
 mod panel;
 mod picture_png;
 pub mod renderer;
+pub mod saving;
 pub mod storage;
 mod theme;
 mod viewport;

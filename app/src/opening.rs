@@ -69,10 +69,8 @@ pub fn atlas_of(scene: &Scene, scene_path: Option<&Path>) -> Result<SceneAtlas, 
     let Some(scene_path) = scene_path else {
         return Err(problem("the scene has no folder yet".into(), "save the scene beside its atlas"));
     };
-    let bytes = storage::read(&scene_path.with_file_name(name), MAX_ATLAS_BYTES).map_err(|error| match error {
-        StorageError::Read { reason, .. } | StorageError::Write { reason, .. } => {
-            problem(format!("can't be read: {reason}"), "put it beside the scene file, or take `atlas` out")
-        }
+    let bytes = storage::read(&scene_path.with_file_name(name), MAX_ATLAS_BYTES).map_err(|error| {
+        problem(format!("can't be read: {}", error.reason()), "put it beside the scene file, or take `atlas` out")
     })?;
     let hint = "an atlas is a PNG of 512 × 512 pixels with alpha; take `atlas` out for the built-in one";
     Atlas::from_png(&bytes).map(|atlas| Some(Arc::new(atlas))).map_err(|error| problem(error.to_string(), hint))

@@ -3,6 +3,10 @@
 //! One thread takes the newest request, works, answers and wakes the window. A request that came and was replaced
 //! while the thread worked is never started, so a drag can ask at every frame.
 
+mod in_order;
+
+pub use in_order::InOrder;
+
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;

@@ -1,6 +1,6 @@
 //! What may stand on the command line, and how single values are read.
 
-use super::{check, export, info, render};
+use super::{check, export, info, new, render};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -15,6 +15,7 @@ use std::path::PathBuf;
     after_help = "Examples:
   cloudwright                                   open the editor on a new scene
   cloudwright fair_weather.cloudscene           open the editor on that scene
+  cloudwright new sky.cloudscene
   cloudwright render fair_weather.cloudscene -o sky.png
   cloudwright check *.cloudscene
 
@@ -33,6 +34,8 @@ pub(super) struct Arguments {
 
 #[derive(Debug, clap::Subcommand)]
 pub(super) enum Subcommand {
+    /// Write a new scene
+    New(new::Arguments),
     /// Draw a scene as a PNG
     Render(render::Arguments),
     /// List the problems of scenes

@@ -43,9 +43,10 @@ impl Failure {
     pub(super) fn exit_code(&self) -> u8 {
         match self {
             Self::Open(_) | Self::Argument { .. } | Self::Storage(StorageError::Read { .. }) => UNUSABLE_INPUT,
-            Self::Storage(StorageError::Write { .. }) | Self::Render(_) | Self::CouldNot { .. } | Self::Stdout(_) => {
-                COULD_NOT
-            }
+            Self::Storage(StorageError::Write { .. } | StorageError::InTheWay { .. })
+            | Self::Render(_)
+            | Self::CouldNot { .. }
+            | Self::Stdout(_) => COULD_NOT,
             Self::Told(code) => *code,
         }
     }

@@ -10,6 +10,7 @@ mod export;
 mod failure;
 mod info;
 mod input;
+mod new;
 mod progress;
 mod render;
 
@@ -34,6 +35,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     };
     let done = match &arguments.command {
         None => edit::run(arguments.scene.as_deref(), arguments.renderer),
+        Some(Subcommand::New(arguments)) => new::run(arguments),
         Some(Subcommand::Render(arguments)) => render::run(arguments),
         Some(Subcommand::Check(arguments)) => check::run(arguments),
         Some(Subcommand::Info(arguments)) => info::run(arguments),

@@ -113,8 +113,10 @@ commands! {
     File {
         New: "New", "Start a new scene.", ctrl(Key::N), Some(icon::FILE_PLUS);
         Open: "Open…", "Open a scene file.", ctrl(Key::O), None;
+        OpenRecent: "Open recent…", "Open one of the last ten scenes.", ctrl_shift(Key::O), None;
         Save: "Save", "Save the scene.", ctrl(Key::S), Some(icon::FLOPPY_DISK);
         SaveAs: "Save as…", "Save the scene under another name.", ctrl_shift(Key::S), None;
+        Revert: "Revert…", "Go back to the scene as it was last saved.", NONE, None;
         Quit: "Quit", "Close the editor.", ctrl(Key::Q), None;
     }
     Edit {

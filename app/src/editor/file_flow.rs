@@ -1,20 +1,21 @@
-//! New, open, save, quit: what may need a question first, and a file name.
+//! New, open, revert, quit: what may need a question first, and a file name.
 //!
 //! What would lose changes is an [`Intent`]: it is carried out at once when nothing is unsaved, else after the user
 //! has saved or said not to. A scene that can't be opened leaves the present document alone.
 
-use super::files::{self, Ask, Reply, Waiting};
+use super::dialogs::Dialog;
+use super::files::{Ask, Reply, Waiting};
 use super::{Editor, Session, ViewState, starter};
 use crate::opening::{self, OpenError};
-use crate::storage;
+use crate::storage::Stamp;
 use cloudwright_core::formats::scene_file;
 use std::path::{Path, PathBuf};
 
 /// Something that leaves the present document.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Intent {
     New,
-    Open,
+    OpenFile(PathBuf),
     Quit,
 }
 
@@ -27,10 +28,12 @@ impl Editor {
         }
     }
 
-    /// Carries `intent` out, after a question if there are unsaved changes.
+    /// Carries `intent` out, after a save that is under way, and after a question if there are unsaved changes.
     pub(super) fn want(&mut self, intent: Intent, context: &egui::Context) {
-        if self.session.document().is_modified() {
-            self.dialogs.unsaved = Some(intent);
+        if self.desk.saving {
+            self.after_save = Some(intent);
+        } else if self.session.document().is_modified() {
+            self.dialogs.open(Dialog::Unsaved(intent));
         } else {
             self.go(intent, context);
         }
@@ -40,10 +43,10 @@ impl Editor {
     pub(super) fn go(&mut self, intent: Intent, context: &egui::Context) {
         match intent {
             Intent::New => {
-                self.replace(Session::new(starter::scene(), None, None));
+                self.replace(Session::new(starter::scene(), None, None), None);
                 self.toasts.forget_errors();
             }
-            Intent::Open => self.ask(Ask::Open, context),
+            Intent::OpenFile(path) => self.open_path(&path),
             Intent::Quit => {
                 self.quitting = true;
                 context.send_viewport_cmd(egui::ViewportCommand::Close);
@@ -53,6 +56,8 @@ impl Editor {
 
     /// Opens the scene at `path` in place of the present one; if that can't be done, says why and changes nothing.
     pub fn open_path(&mut self, path: &Path) {
+        // Looked at before it is read: what is changed in between is noticed later.
+        let stamp = Stamp::of(path);
         let scene = match opening::open_scene(path) {
             Ok(scene) => scene,
             Err(OpenError::Problems { problems, .. }) => return self.dialogs.list(path, problems),
@@ -63,59 +68,29 @@ impl Editor {
         if let Some(problem) = session.load_atlas() {
             self.dialogs.list(path, vec![problem]);
         }
-        self.replace(session);
+        self.replace(session, stamp);
         self.tell(format!("Opened {}", path.display()));
+        let path = path.to_path_buf();
+        self.desk.remember(move |settings| settings.remember_scene(&path));
     }
 
-    fn replace(&mut self, session: Session) {
+    /// Reads the document's file again, whatever is lost.
+    pub(super) fn revert(&mut self) {
+        if let Some(path) = self.session.path().map(PathBuf::from) {
+            self.open_path(&path);
+        }
+    }
+
+    /// Another document in place of the present one; `known` is its file as it is on disk.
+    pub(super) fn replace(&mut self, session: Session, known: Option<Stamp>) {
         self.viewport.see(&session);
         self.session = session;
+        self.desk.known = known;
         self.view = ViewState { tool: self.view.tool, snap: self.view.snap, ..ViewState::default() };
     }
 
-    pub(super) fn save(&mut self, context: &egui::Context) {
-        match self.session.path().map(PathBuf::from) {
-            Some(path) => self.save_to(&path, context),
-            None => self.save_as(context),
-        }
-    }
-
-    pub(super) fn save_as(&mut self, context: &egui::Context) {
-        let name = || PathBuf::from(format!("{}.{}", self.session.scene().name, scene_file::EXTENSION));
-        let start = self.session.path().map_or_else(name, PathBuf::from);
-        self.ask(Ask::Save(start), context);
-    }
-
-    /// Writes the scene to `path`, which becomes its file.
-    pub fn save_to(&mut self, path: &Path, context: &egui::Context) {
-        // Whatever fails below also ends what was to follow.
-        let intent = self.after_save.take();
-        if let Err(error) = self.session.commit() {
-            return self.tell_error(error.to_string());
-        }
-        let text = match scene_file::write(self.session.scene()) {
-            Ok(text) => text,
-            Err(error) => return self.dialogs.fail("The scene can't be saved", &error),
-        };
-        if let Err(error) = storage::write_atomic(path, text.as_bytes()) {
-            return self.dialogs.fail("The scene can't be saved", &error);
-        }
-        if let Some(problem) = self.session.saved_as(path.into()) {
-            self.dialogs.list(path, vec![problem]);
-        }
-        self.tell(format!("Saved {}", path.display()));
-        if let Some(intent) = intent {
-            self.go(intent, context);
-        }
-    }
-
-    /// Saves first, then carries `intent` out.
-    pub(super) fn save_and_go(&mut self, intent: Intent, context: &egui::Context) {
-        self.after_save = Some(intent);
-        self.save(context);
-    }
-
-    fn ask(&mut self, ask: Ask, context: &egui::Context) {
+    /// Asks for a file name.
+    pub(super) fn ask(&mut self, ask: Ask, context: &egui::Context) {
         self.waiting = Some(Waiting::start(self.file_dialogs.as_mut(), ask, context));
         context.request_repaint();
     }
@@ -126,25 +101,46 @@ impl Editor {
         };
         self.waiting = None;
         match reply {
-            Reply::Path(path) => self.use_path(&ask, path, context),
+            Reply::Path(path) => self.use_path(&ask, path, true, context),
             Reply::Cancelled => self.after_save = None,
             Reply::NoDialog => self.dialogs.ask_path(ask),
         }
     }
 
-    pub(super) fn use_path(&mut self, ask: &Ask, path: PathBuf, context: &egui::Context) {
+    pub(super) fn use_path(&mut self, ask: &Ask, path: PathBuf, asked_already: bool, context: &egui::Context) {
         match ask {
-            Ask::Open => self.open_path(&path),
-            Ask::Save(_) => self.save_to(&files::with_extension(path), context),
+            // Something may have been changed while the dialog was open, so the question comes after it.
+            Ask::Open => self.want(Intent::OpenFile(path), context),
+            Ask::Save(_) => self.save_under(&path, asked_already, context),
         }
     }
 
-    /// The window's own button: closing waits until the question is answered.
+    /// A scene dropped on the window is opened.
+    pub(super) fn take_dropped_files(&mut self, context: &egui::Context) {
+        let files = context.input_mut(|input| std::mem::take(&mut input.raw.dropped_files));
+        let [file] = files.as_slice() else {
+            if !files.is_empty() {
+                self.tell_error("One scene at a time: several files were dropped");
+            }
+            return;
+        };
+        let path = file.path();
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(scene_file::EXTENSION)) {
+            self.tell_error(format!("{name} is no scene: drop a .{} file", scene_file::EXTENSION));
+        } else if self.dialogs.is_open() {
+            self.tell_error(format!("{name} was not opened: answer the question first"));
+        } else {
+            self.want(Intent::OpenFile(path.into()), context);
+        }
+    }
+
+    /// The window's own button: closing waits until files are written and the question is answered.
     pub(super) fn answer_close_request(&mut self, context: &egui::Context) {
         let asked = context.input(|input| input.viewport().close_requested());
-        if asked && !self.quitting && self.session.document().is_modified() {
+        if asked && !self.quitting && (self.desk.saving || self.session.document().is_modified()) {
             context.send_viewport_cmd(egui::ViewportCommand::CancelClose);
-            self.dialogs.unsaved = Some(Intent::Quit);
+            self.want(Intent::Quit, context);
         }
     }
 }

@@ -5,12 +5,17 @@
 //! Selection, camera and layout are view state and never saved.
 
 mod action;
+mod autosave;
+mod desk;
 mod dialogs;
 mod file_flow;
 mod files;
 mod layout;
+mod on_disk;
 mod perform;
 mod regeneration;
+mod remember;
+mod save_flow;
 mod selection;
 mod session;
 mod starter;
@@ -24,18 +29,21 @@ pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
 pub(crate) use selection::{box_of, camera_of, group_of, model_of};
 pub use session::{Pending, Session};
+pub(crate) use starter::scene as starter_scene;
 pub use view::{Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
 use crate::command::{self, Command};
 use crate::panel::{self, Palette, Panel, Reading};
 use crate::renderer::RendererChoice;
+use crate::storage::Folders;
 use crate::theme;
 use crate::viewport::Viewport;
 use cloudwright_core::scene::{CameraId, ColorLevels};
+use desk::Desk;
 use dialogs::Dialogs;
 use eframe::egui_wgpu::RenderState;
-use file_flow::Intent;
+pub(crate) use file_flow::Intent;
 use files::Waiting;
 use layout::Layout;
 use std::path::PathBuf;
@@ -54,6 +62,7 @@ pub struct Editor {
     last_camera: Option<CameraId>,
     copied_levels: Option<ColorLevels>,
     file_dialogs: Box<dyn FileDialogs>,
+    desk: Desk,
     waiting: Option<Waiting>,
     after_save: Option<Intent>,
     dialogs: Dialogs,
@@ -74,13 +83,16 @@ pub struct Start {
     pub device: Option<RenderState>,
     /// How file names are asked for.
     pub file_dialogs: Box<dyn FileDialogs>,
+    /// Where settings and unsaved work are kept; none to remember nothing.
+    pub folders: Option<Folders>,
 }
 
 impl Editor {
     /// An editor for a window.
     pub fn new(context: &egui::Context, start: Start) -> Self {
-        let Start { scene: path, renderer, device, file_dialogs } = start;
+        let Start { scene: path, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
+        let (desk, notice) = Desk::new(context, folders);
         let session = Session::new(starter::scene(), None, None);
         let mut editor = Self {
             viewport: Viewport::new(context, &session, renderer, device),
@@ -92,6 +104,7 @@ impl Editor {
             last_camera: None,
             copied_levels: None,
             file_dialogs,
+            desk,
             waiting: None,
             after_save: None,
             dialogs: Dialogs::default(),
@@ -100,9 +113,14 @@ impl Editor {
             quitting: false,
             title: String::new(),
         };
+        editor.recall(context);
         if let Some(path) = path {
             editor.open_path(&path);
         }
+        if let Some(notice) = notice {
+            editor.tell_error(notice);
+        }
+        editor.offer_recovery();
         editor
     }
 
@@ -203,7 +221,9 @@ impl Editor {
 impl eframe::App for Editor {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
+        self.take_up_what_is_done(&context);
         self.answer_file_dialogs(&context);
+        self.take_dropped_files(&context);
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
         let mut actions: Vec<Action> = Vec::new();
@@ -215,8 +235,16 @@ impl eframe::App for Editor {
         self.end_gesture_on_release(&context);
         self.session.keep_up(&context);
         self.show_dialogs(&context);
+        dialogs::show_drop_target(&context);
         self.show_palette(&context);
         self.toasts.show(&context);
         self.show_title(&context);
+        self.autosave(&context);
+        self.watch_file(&context);
+        self.remember_look(&context);
+    }
+
+    fn on_exit(&mut self) {
+        self.leave();
     }
 }

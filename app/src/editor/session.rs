@@ -10,7 +10,7 @@
 use super::regeneration::{Regeneration, Wish};
 use crate::opening::{self, SceneAtlas};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::document::{Change, Document, Edit, EditError};
+use cloudwright_core::document::{Change, Document, Edit, EditError, SavedMark};
 use cloudwright_core::problem::{self, Problem, Severity};
 use cloudwright_core::scene::{CloudId, Scene};
 use cloudwright_core::sprites::PlacedCloud;
@@ -229,12 +229,17 @@ impl Session {
         }
     }
 
-    /// The scene lies at `path` as it is. Its atlas is looked for there.
-    pub(crate) fn saved_as(&mut self, path: PathBuf) -> Option<Problem> {
-        self.document.mark_saved();
+    /// The scene lies at `path` as it was at `mark`. Its atlas is looked for there.
+    pub(crate) fn saved_as(&mut self, path: PathBuf, mark: SavedMark) -> Option<Problem> {
+        self.document.mark_saved(mark);
         let moved = self.path.as_deref() != Some(&path);
         self.path = Some(path);
         if moved { self.load_atlas() } else { None }
+    }
+
+    /// No file holds the scene as it is.
+    pub(crate) fn mark_unsaved(&mut self) {
+        self.document.mark_unsaved();
     }
 
     /// Reads the atlas that the scene names; the built-in one stands in for one with a problem.

@@ -2,23 +2,34 @@
 
 use super::{Editor, NativeDialogs, Start};
 use crate::renderer::RendererChoice;
+use crate::storage::{Folders, Settings};
 use cloudwright_render::Gpu;
 use eframe::egui_wgpu::{WgpuSetup, WgpuSetupCreateNew};
 use eframe::wgpu;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+/// Points.
+const DEFAULT_SIZE: [f32; 2] = [1280.0, 800.0];
+/// Points.
+const MIN_SIZE: [f32; 2] = [800.0, 500.0];
+/// No screen is wider or higher, points.
+const MAX_SIZE: f32 = 8192.0;
+
 /// Opens the editor's window and stays until it is closed.
 ///
 /// # Errors
 /// If there is no display, or no adapter that can draw in a window.
 pub fn open_window(scene: Option<&Path>, renderer: RendererChoice) -> Result<(), eframe::Error> {
+    let folders = Folders::of_user();
+    // Settings that can't be understood are told about in the window.
+    let size = folders.as_ref().and_then(|folders| Settings::load(folders).0.window_size).unwrap_or(DEFAULT_SIZE);
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("Cloudwright")
             .with_app_id("cloudwright")
-            .with_inner_size([1280.0, 800.0])
-            .with_min_inner_size([800.0, 500.0]),
+            .with_inner_size([0, 1].map(|i| size[i].clamp(MIN_SIZE[i], MAX_SIZE)))
+            .with_min_inner_size(MIN_SIZE),
         renderer: eframe::Renderer::Wgpu,
         wgpu_options: eframe::egui_wgpu::WgpuConfiguration {
             wgpu_setup: WgpuSetup::CreateNew(device_setup()),
@@ -32,7 +43,7 @@ pub fn open_window(scene: Option<&Path>, renderer: RendererChoice) -> Result<(),
         options,
         Box::new(move |creation| {
             let device = creation.wgpu_render_state.clone();
-            let start = Start { scene, renderer, device, file_dialogs: Box::new(NativeDialogs) };
+            let start = Start { scene, renderer, device, file_dialogs: Box::new(NativeDialogs), folders };
             Ok(Box::new(Editor::new(&creation.egui_ctx, start)))
         }),
     )

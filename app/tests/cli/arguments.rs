@@ -32,6 +32,12 @@ const CASES: &[(&str, i32, &[&str])] = &[
     ("export good.cloudscene -o out.json --camera main", 2, &["--shaded"]),
     ("export good.cloudscene -o out.json --shaded --camera tail", 2, &["“tail”", "main, above"]),
     ("export good.cloudscene -o none/out.csv", 3, &["none/out.csv", "make the folder"]),
+    ("new", 2, &["OUT", "--help"]),
+    ("new sky", 2, &["sky", ".cloudscene"]),
+    ("new sky.png", 2, &["sky.png", ".cloudscene"]),
+    ("new sky.cloudscene --preset pink", 2, &["pink", "starter"]),
+    ("new none/sky.cloudscene", 3, &["none/sky.cloudscene", "make the folder"]),
+    ("new good.cloudscene/sky.cloudscene", 3, &["sky.cloudscene", "choose a folder"]),
     ("check", 2, &["SCENE"]),
     ("info", 2, &["SCENE"]),
     ("info good.cloudscene --yaml", 2, &["--yaml"]),
@@ -71,7 +77,7 @@ fn an_unwritable_folder() {
 #[test]
 fn every_subcommand_has_examples() {
     let place = Place::new();
-    for words in ["--help", "render --help", "check --help", "info --help", "export --help"] {
+    for words in ["--help", "render --help", "check --help", "info --help", "export --help", "new --help"] {
         let ran = place.run(words);
         assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{words}");
         assert!(ran.stdout.contains("Examples:\n  cloudwright "), "{words}");

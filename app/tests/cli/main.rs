@@ -9,6 +9,7 @@ mod answers;
 mod arguments;
 mod bad_scenes;
 mod gpu;
+mod new;
 mod pictures;
 mod scenes;
 

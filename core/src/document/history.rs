@@ -1,6 +1,7 @@
 //! The history as a list: every undo point by name, and the way to any of them.
 
-use super::{Change, Document};
+use super::transaction::UndoPoint;
+use super::{Change, Document, SavedMark};
 
 /// What was done and what was undone again, oldest first.
 #[derive(Debug, Clone, Copy)]
@@ -26,13 +27,18 @@ impl<'a> History<'a> {
 
     /// How many points were done when the scene was last saved; none if that state is out of reach.
     pub fn saved_at(&self) -> Option<usize> {
-        self.document.saved_at
+        let saved = self.document.saved_at?;
+        std::iter::once(SavedMark(0)).chain(self.points().map(|point| point.mark)).position(|mark| mark == saved)
     }
 
     /// The points' names, oldest first.
     pub fn names(&self) -> impl Iterator<Item = &'a str> + use<'a> {
+        self.points().map(|point| point.name.as_str())
+    }
+
+    fn points(&self) -> impl Iterator<Item = &'a UndoPoint> + use<'a> {
         let Document { done, undone, .. } = self.document;
-        done.iter().chain(undone.iter().rev()).map(|point| point.name.as_str())
+        done.iter().chain(undone.iter().rev())
     }
 }
 

@@ -26,9 +26,16 @@ pub struct Document {
     /// Points that can be redone, next one last.
     undone: Vec<UndoPoint>,
     open: Option<Transaction>,
-    /// How many points were done when the scene was last saved; none if that state is out of reach.
-    saved_at: Option<usize>,
+    /// The state that was last saved; none if that is no state of the history.
+    saved_at: Option<SavedMark>,
+    /// How many points were ever made.
+    made_count: u64,
 }
+
+/// A state of the scene in its history: after which undo point, counted through all that were ever made; 0 at the
+/// start. A mark is taken when saving begins and handed back when the file is whole, whatever was edited meanwhile.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SavedMark(u64);
 
 /// Why a scene was not changed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -57,7 +64,7 @@ pub enum EditError {
 impl Document {
     /// Opens a scene that is as it was saved.
     pub fn new(scene: Scene) -> Self {
-        Self { scene, saved_at: Some(0), ..Self::default() }
+        Self { scene, saved_at: Some(SavedMark(0)), ..Self::default() }
     }
 
     /// The scene as it is now, open transaction included.
@@ -91,7 +98,7 @@ impl Document {
     /// # Errors
     /// If it left faults in the scene that were not there before; it is then taken back.
     pub fn commit(&mut self) -> Result<(), EditError> {
-        let Some(point) = self.open.take().map(Transaction::into_point) else { return Ok(()) };
+        let Some(mut point) = self.open.take().map(Transaction::into_point) else { return Ok(()) };
         let mut before = self.scene.clone();
         let _ = point.reverse(&mut before);
         if before == self.scene {
@@ -104,9 +111,8 @@ impl Document {
             self.scene = before;
             return Err(EditError::Problems(new));
         }
-        if self.saved_at.is_some_and(|saved| saved > self.done.len()) {
-            self.saved_at = None;
-        }
+        self.made_count += 1;
+        point.mark = SavedMark(self.made_count);
         self.done.push(point);
         self.undone.clear();
         Ok(())
@@ -174,14 +180,24 @@ impl Document {
         self.undone.last().map(|point| point.name.as_str())
     }
 
-    /// Says that the scene is saved as it is now. With a transaction open, what was saved is no point of the history.
-    pub fn mark_saved(&mut self) {
-        self.saved_at = self.open.is_none().then_some(self.done.len());
+    /// The state that the scene is in, an open transaction apart.
+    pub fn mark(&self) -> SavedMark {
+        self.done.last().map_or(SavedMark(0), |point| point.mark)
+    }
+
+    /// Says that the scene is saved as it was at `mark`.
+    pub fn mark_saved(&mut self, mark: SavedMark) {
+        self.saved_at = Some(mark);
+    }
+
+    /// Says that no state of the history is what a file holds.
+    pub fn mark_unsaved(&mut self) {
+        self.saved_at = None;
     }
 
     /// Whether the scene differs from what was last saved.
     pub fn is_modified(&self) -> bool {
-        self.open.is_some() || self.saved_at != Some(self.done.len())
+        self.open.is_some() || self.saved_at != Some(self.mark())
     }
 }
 
@@ -250,7 +266,7 @@ mod tests {
     fn saved_and_then_undone_is_modified() {
         let mut document = Document::new(Scene::default());
         document.edit("Rename", [Edit::Name("a".into())]).expect("fits");
-        document.mark_saved();
+        document.mark_saved(document.mark());
         assert!(!document.is_modified());
         document.undo();
         assert!(document.is_modified());
@@ -258,6 +274,25 @@ mod tests {
         assert!(document.is_modified(), "the saved state is out of reach now");
         document.undo();
         document.redo();
+        assert!(document.is_modified());
+    }
+
+    #[test]
+    fn what_is_edited_while_saving_stays_modified() {
+        let mut document = Document::new(Scene::default());
+        document.edit("Rename", [Edit::Name("a".into())]).expect("fits");
+        let mark = document.mark();
+        document.edit("Rename", [Edit::Name("b".into())]).expect("fits");
+        document.mark_saved(mark);
+        assert!(document.is_modified());
+        document.undo();
+        assert!(!document.is_modified(), "this is what was saved");
+        document.undo();
+        document.edit("Rename", [Edit::Name("c".into())]).expect("fits");
+        document.mark_saved(mark);
+        assert!(document.is_modified(), "as many steps, but not the same");
+        document.mark_unsaved();
+        document.undo();
         assert!(document.is_modified());
     }
 }

@@ -4,8 +4,8 @@
 //! gives a part its value of a moment ago is left out when one before it gives that part an older value, since that one
 //! is applied later and wins. This holds as long as no edit in between adds to a list or takes from one.
 
-use super::Change;
 use super::edit::{Edit, Part};
+use super::{Change, SavedMark};
 use crate::scene::Scene;
 use std::collections::BTreeSet;
 
@@ -13,6 +13,8 @@ use std::collections::BTreeSet;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct UndoPoint {
     pub(super) name: String,
+    /// The state that the point leads to when done.
+    pub(super) mark: SavedMark,
     /// Applied last to first.
     inverses: Vec<Edit>,
 }
@@ -27,7 +29,7 @@ pub(super) struct Transaction {
 
 impl Transaction {
     pub(super) fn new(name: String) -> Self {
-        Self { point: UndoPoint { name, inverses: Vec::new() }, led_back: BTreeSet::new() }
+        Self { point: UndoPoint { name, mark: SavedMark(0), inverses: Vec::new() }, led_back: BTreeSet::new() }
     }
 
     /// One more step has been taken, from which `inverse` leads back.
@@ -58,7 +60,7 @@ impl UndoPoint {
                 inverses.push(inverse);
             }
         }
-        (Self { name: self.name.clone(), inverses }, change)
+        (Self { name: self.name.clone(), mark: self.mark, inverses }, change)
     }
 }
 

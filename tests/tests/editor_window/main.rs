@@ -7,11 +7,15 @@
 mod editing;
 mod files;
 mod off_frame;
+mod on_disk;
+mod recovery;
+mod remembering;
 mod viewing;
 
 use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session, Start};
 use cloudwright::renderer::RendererChoice;
+use cloudwright::storage::Folders;
 use cloudwright_core::scene::Scene;
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2};
@@ -38,8 +42,8 @@ impl FileDialogs for Script {
     }
 }
 
-fn start(dialogs: Script) -> Start {
-    Start { scene: None, renderer: RendererChoice::Cpu, device: None, file_dialogs: Box::new(dialogs) }
+fn start(dialogs: Script, folders: Option<Folders>) -> Start {
+    Start { scene: None, renderer: RendererChoice::Cpu, device: None, file_dialogs: Box::new(dialogs), folders }
 }
 
 /// An editor under test.
@@ -50,11 +54,16 @@ struct Window {
 
 impl Window {
     fn open() -> Self {
+        Self::open_with(None)
+    }
+
+    /// An editor of a user with these folders.
+    fn open_with(folders: Option<Folders>) -> Self {
         let script = Script::default();
         let dialogs = script.clone();
         let harness = Harness::builder()
             .with_size([1280.0, 1200.0])
-            .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start(dialogs)));
+            .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start(dialogs, folders)));
         Self { harness, script }
     }
 
@@ -65,6 +74,12 @@ impl Window {
     /// A few frames. The picture arrives when it likes, so there is no waiting until all is quiet.
     fn settle(&mut self) {
         self.harness.run_steps(4);
+        // Files are written by a thread of their own.
+        while self.harness.state().is_busy() {
+            std::thread::yield_now();
+            self.harness.step();
+        }
+        self.harness.run_steps(2);
     }
 
     fn session(&self) -> &Session {

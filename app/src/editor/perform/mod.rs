@@ -5,8 +5,9 @@ mod arrange;
 mod shade;
 mod view;
 
+use super::dialogs::Dialog;
 use super::file_flow::Intent;
-use super::{Action, Editor, Selection, Tool};
+use super::{Action, Ask, Editor, Selection, Tool};
 use crate::command::Command;
 use crate::panel::Panel;
 use cloudwright_core::document::{Edit, EditError};
@@ -75,6 +76,8 @@ impl Editor {
         let selection = &self.view.selection;
         let (clouds, boxes) = (selection.clouds().count(), selection.boxes().count());
         match command {
+            Command::OpenRecent => !self.desk.settings().recent().is_empty(),
+            Command::Revert => self.session.path().is_some() && document.is_modified(),
             Command::Undo => document.undo_name().is_some() || document.is_open(),
             Command::Redo => document.redo_name().is_some(),
             Command::AddBox | Command::PlaceModel | Command::PlaceMany | Command::Reroll | Command::AutoGroup => {
@@ -124,9 +127,11 @@ impl Editor {
         }
         match command {
             Command::New => self.want(Intent::New, context),
-            Command::Open => self.want(Intent::Open, context),
+            Command::Open => self.ask(Ask::Open, context),
+            Command::OpenRecent => self.list_recent(context),
             Command::Save => self.save(context),
             Command::SaveAs => self.save_as(context),
+            Command::Revert => self.dialogs.open(Dialog::Revert),
             Command::Quit => self.want(Intent::Quit, context),
             Command::Undo => self.undo(),
             Command::Redo => self.redo(),

@@ -1,0 +1,179 @@
+//! Windows that come up over the editor: questions, lists, and a path where no dialog can be shown.
+//!
+//! The one that came last is on top and is answered first. Each file shows one kind and returns the answer; what
+//! follows from it stands here.
+
+mod path;
+mod question;
+mod recent;
+mod recovery;
+mod trouble;
+
+use super::files::Ask;
+use super::{Editor, Intent};
+use crate::storage::{Orphan, Over};
+use crate::theme;
+use cloudwright_core::problem::Problem;
+use egui::{Align2, Id, Modal, Ui};
+use question::Question;
+use recovery::Fate;
+use std::mem::discriminant;
+use std::path::{Path, PathBuf};
+use trouble::Trouble;
+
+/// One window.
+#[derive(Debug)]
+pub(super) enum Dialog {
+    /// This would lose changes.
+    Unsaved(Intent),
+    /// Whether to go back to the saved scene.
+    Revert,
+    /// A file that is not known stands where the scene is to be saved.
+    InTheWay { path: PathBuf, reason: String },
+    /// Another program changed the file of a modified document.
+    ChangedOnDisk,
+    /// Scenes that were open, and whether they are still there.
+    Recent(Vec<(PathBuf, bool)>),
+    /// What other editors left.
+    Recovery(Vec<Orphan>),
+    /// A path to be typed.
+    Path { ask: Ask, text: String },
+    /// Something went wrong.
+    Trouble(Trouble),
+}
+
+/// All that are open, the top one last.
+#[derive(Debug, Default)]
+pub(super) struct Dialogs(Vec<Dialog>);
+
+impl Dialogs {
+    pub(super) fn is_open(&self) -> bool {
+        !self.0.is_empty()
+    }
+
+    /// Puts `dialog` on top, in place of one of its kind; a list of troubles replaces none.
+    pub(super) fn open(&mut self, dialog: Dialog) {
+        let is_trouble = matches!(dialog, Dialog::Trouble(_));
+        self.0.retain(|old| is_trouble || discriminant(old) != discriminant(&dialog));
+        self.0.push(dialog);
+    }
+
+    /// Lists what is wrong with a file.
+    pub(super) fn list(&mut self, path: &Path, problems: Vec<Problem>) {
+        self.open(Dialog::Trouble(Trouble { title: format!("Problems in {}", path.display()), problems }));
+    }
+
+    /// Tells that something failed.
+    pub(super) fn fail(&mut self, title: &str, error: &dyn std::error::Error) {
+        let problem = Problem::error("", error.to_string(), "");
+        self.open(Dialog::Trouble(Trouble { title: title.into(), problems: vec![problem] }));
+    }
+
+    /// Asks for a path by hand.
+    pub(super) fn ask_path(&mut self, ask: Ask) {
+        let text = match &ask {
+            Ask::Open => String::new(),
+            Ask::Save(path) => path.display().to_string(),
+        };
+        self.open(Dialog::Path { ask, text });
+    }
+}
+
+impl Editor {
+    /// Shows the top one. It stays until it is answered.
+    pub(super) fn show_dialogs(&mut self, context: &egui::Context) {
+        if let Some(mut dialog) = self.dialogs.0.pop()
+            && self.answer(&mut dialog, context).is_none()
+        {
+            self.dialogs.0.push(dialog);
+        }
+    }
+
+    /// None if it is not answered yet.
+    fn answer(&mut self, dialog: &mut Dialog, context: &egui::Context) -> Option<()> {
+        let name = self.display_name();
+        match dialog {
+            Dialog::Unsaved(intent) => match Question::unsaved(&name).ask(context)? {
+                question::FIRST => self.save_and_go(intent.clone(), context),
+                question::SECOND => self.go(intent.clone(), context),
+                _ => {}
+            },
+            Dialog::Revert => {
+                if Question::revert(&name).ask(context)? == question::FIRST {
+                    self.revert();
+                }
+            }
+            Dialog::InTheWay { path, reason } => match Question::in_the_way(path, reason).ask(context)? {
+                question::FIRST => self.save_to(path, Over::Anything, context),
+                question::SECOND => self.save_as(context),
+                _ => self.after_save = None,
+            },
+            Dialog::ChangedOnDisk => {
+                if Question::changed_on_disk(&name).ask(context)? == question::SECOND {
+                    self.load_theirs();
+                } else {
+                    // The file is no longer what was saved.
+                    self.session.mark_unsaved();
+                }
+            }
+            Dialog::Recent(scenes) => {
+                if let Some(path) = recent::choose(context, scenes)? {
+                    self.want(Intent::OpenFile(path), context);
+                }
+            }
+            Dialog::Recovery(orphans) => match recovery::choose(context, orphans)? {
+                Fate::Recover(at) => {
+                    let orphan = orphans.remove(at);
+                    self.recover(orphan);
+                }
+                Fate::Discard(at) => {
+                    orphans.remove(at).slot.clear();
+                    if !orphans.is_empty() {
+                        return None;
+                    }
+                }
+                Fate::Later => {}
+            },
+            Dialog::Path { ask, text } => match path::ask(context, ask, text)? {
+                Some(path) => self.use_path(&ask.clone(), path, false, context),
+                None => self.after_save = None,
+            },
+            Dialog::Trouble(trouble) => trouble.show(context)?,
+        }
+        Some(())
+    }
+}
+
+/// While a file is held over the window.
+pub(super) fn show_drop_target(context: &egui::Context) {
+    if context.input(|input| input.raw.hovered_files.is_empty()) {
+        return;
+    }
+    egui::Area::new(Id::unique("drop target"))
+        .order(egui::Order::Foreground)
+        .anchor(Align2::CENTER_CENTER, [0.0, 0.0])
+        .show(context, |ui| theme::dialog(context).show(ui, |ui| ui.heading("Drop a scene to open it")));
+}
+
+/// A window with a heading. `add` returns the answer; closing it another way is `or_closed`.
+fn window<T>(
+    context: &egui::Context,
+    width: f32,
+    heading: &str,
+    or_closed: T,
+    add: impl FnOnce(&mut Ui) -> Option<T>,
+) -> Option<T> {
+    let modal = Modal::new(Id::unique(heading)).frame(theme::dialog(context)).show(context, |ui| {
+        ui.set_width(width);
+        ui.heading(heading);
+        ui.add_space(theme::GAP);
+        add(ui)
+    });
+    let closed = modal.should_close();
+    modal.inner.or(closed.then_some(or_closed))
+}
+
+fn buttons<T>(ui: &mut Ui, add: impl FnOnce(&mut Ui) -> T) -> T {
+    ui.add_space(theme::GAP);
+    ui.horizontal(add).inner
+}

@@ -1,0 +1,55 @@
+//! What the editor remembers for the next start: look, window, last scenes. The next start reads it in `Editor::new`.
+
+use super::Editor;
+use super::desk::Done;
+use super::layout::Layout;
+use crate::storage::{self, ThemeChoice};
+use egui::ThemePreference;
+
+impl Editor {
+    /// As the user left it.
+    pub(super) fn recall(&mut self, context: &egui::Context) {
+        if let Some(layout) = self.desk.settings().layout.as_ref().and_then(Layout::from_saved) {
+            self.layout = layout;
+        }
+        context.set_theme(match self.desk.settings().theme {
+            ThemeChoice::System => ThemePreference::System,
+            ThemeChoice::Dark => ThemePreference::Dark,
+            ThemeChoice::Light => ThemePreference::Light,
+        });
+    }
+
+    /// Whoever changed it, it is noticed here.
+    pub(super) fn remember_look(&mut self, context: &egui::Context) {
+        let theme = match context.options(|options| options.theme_preference) {
+            ThemePreference::System => ThemeChoice::System,
+            ThemePreference::Dark => ThemeChoice::Dark,
+            ThemePreference::Light => ThemeChoice::Light,
+        };
+        if theme != self.desk.settings().theme {
+            self.desk.remember(move |settings| settings.theme = theme);
+        }
+        let at_rest = !context.input(|input| input.pointer.any_down());
+        if at_rest && self.layout.take_changed() {
+            let layout = self.layout.to_saved();
+            self.desk.remember(move |settings| settings.layout.clone_from(&layout));
+        }
+        let inner = context.input(|input| input.viewport().inner_rect);
+        if let Some(size) = inner.map(|rect| rect.size()).filter(|size| size.is_finite() && size.min_elem() >= 1.0) {
+            self.desk.window_size = Some([size.x, size.y]);
+        }
+    }
+
+    /// Shows the last scenes, when it is known which are still there.
+    pub(super) fn list_recent(&mut self, context: &egui::Context) {
+        let paths = self.desk.settings().recent().to_vec();
+        self.desk.clerk.ask(move || {
+            let with_state = paths.into_iter().map(|path| {
+                let there = storage::is_there(&path);
+                (path, there)
+            });
+            Done::Recent(with_state.collect())
+        });
+        context.request_repaint();
+    }
+}

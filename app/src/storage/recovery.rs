@@ -1,0 +1,177 @@
+//! Work that a crash would lose: where it is kept meanwhile, and how it is found again.
+//!
+//! Each editor with unsaved changes has a slot, two files of one name in the user's state folder: a rescue that holds
+//! scene, original path and time, written whole or not at all; and a lock. The system lets go of the lock however the
+//! editor ends, so a slot that can be locked is an orphan. Whoever finds it holds it, and no second editor offers the
+//! same.
+
+use super::{Folders, StorageError, clean_strays, read, write_atomic};
+use serde::{Deserialize, Serialize};
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::time::{Duration, SystemTime};
+
+const FORMAT: &str = "cloudwright-rescue";
+const VERSION: u64 = 1;
+/// A scene and what is around it; its quotes are escaped.
+const MAX_BYTES: usize = 600 << 20;
+
+/// What is kept of a scene with unsaved changes.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Rescue {
+    format: String,
+    version: u64,
+    /// The scene's file, if it has one.
+    pub path: Option<PathBuf>,
+    /// When it was kept, seconds since 1970.
+    saved_at_s: u64,
+    /// As a scene file says it.
+    pub scene: String,
+}
+
+/// The place of one editor.
+#[derive(Debug)]
+pub struct RecoverySlot {
+    rescue: PathBuf,
+    /// Locked as long as it is open.
+    _lock: File,
+}
+
+/// A slot whose editor is gone.
+#[derive(Debug)]
+pub struct Orphan {
+    /// Held while it is offered.
+    pub slot: RecoverySlot,
+    /// What is in it, or why that can't be read.
+    pub rescue: Result<Rescue, String>,
+}
+
+impl Rescue {
+    /// Of a scene, now. A path that JSON can't say is left out; the scene matters more.
+    pub fn new(path: Option<&Path>, scene: String) -> Self {
+        let path = path.and_then(|path| std::path::absolute(path).ok()).filter(|path| path.to_str().is_some());
+        let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
+        Self { format: FORMAT.into(), version: VERSION, path, saved_at_s: since_1970.as_secs(), scene }
+    }
+
+    /// When it was kept, to a second.
+    pub fn saved_at(&self) -> SystemTime {
+        let limit = Duration::from_secs(u64::from(u32::MAX));
+        SystemTime::UNIX_EPOCH + Duration::from_secs(self.saved_at_s).min(limit)
+    }
+
+    /// Puts it into the slot whose rescue lies at `file`.
+    ///
+    /// # Errors
+    /// If it can't be written; the one before is then still there.
+    pub fn write(&self, file: &Path) -> Result<(), StorageError> {
+        let text =
+            serde_json::to_string(self).map_err(|error| StorageError::write(file, &std::io::Error::other(error)))?;
+        write_atomic(file, text.as_bytes())
+    }
+
+    fn read(file: &Path) -> Result<Self, String> {
+        let bytes = read(file, MAX_BYTES).map_err(|error| error.to_string())?;
+        let rescue: Self = serde_json::from_slice(&bytes).map_err(|error| error.to_string())?;
+        if rescue.format == FORMAT && rescue.version == VERSION {
+            Ok(rescue)
+        } else {
+            Err(format!("{} {} is not known here", rescue.format, rescue.version))
+        }
+    }
+}
+
+impl RecoverySlot {
+    /// A new slot for this editor.
+    ///
+    /// # Errors
+    /// If the folder can't be written.
+    pub fn claim(folders: &Folders) -> Result<Self, StorageError> {
+        let folder = folder(folders);
+        fs::create_dir_all(&folder).map_err(|error| StorageError::write(&folder, &error))?;
+        let start_ns = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default().as_nanos();
+        let rescue = folder.join(format!("{}-{start_ns}.rescue", std::process::id()));
+        let lock_path = rescue.with_extension("lock");
+        loop {
+            let lock = File::create(&lock_path).map_err(|error| StorageError::write(&lock_path, &error))?;
+            // On a disk without locks there is a slot, but nobody will find it by itself.
+            let _ = lock.try_lock();
+            // Between its making and its locking it may have been taken for an orphan.
+            if lock_path.exists() {
+                return Ok(Self { rescue, _lock: lock });
+            }
+        }
+    }
+
+    /// Where its rescue is to be written.
+    pub fn file(&self) -> &Path {
+        &self.rescue
+    }
+
+    /// There is nothing to rescue any more.
+    pub fn clear(self) {
+        let _ = fs::remove_file(&self.rescue);
+        let _ = fs::remove_file(self.rescue.with_extension("lock"));
+    }
+}
+
+/// What editors left that ended without saving, the latest first. Slots without a rescue are cleared away.
+pub fn orphans(folders: &Folders) -> Vec<Orphan> {
+    let folder = folder(folders);
+    clean_strays(&folder.join("any"));
+    let Ok(entries) = fs::read_dir(&folder) else { return Vec::new() };
+    let locks =
+        entries.flatten().map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|e| e == "lock"));
+    let mut found: Vec<Orphan> = locks.filter_map(|lock| orphan(&lock)).collect();
+    found.sort_by_key(|orphan| std::cmp::Reverse(orphan.rescue.as_ref().map_or(0, |rescue| rescue.saved_at_s)));
+    found
+}
+
+fn orphan(lock_path: &Path) -> Option<Orphan> {
+    let lock = File::options().write(true).open(lock_path).ok()?;
+    lock.try_lock().ok()?;
+    let slot = RecoverySlot { rescue: lock_path.with_extension("rescue"), _lock: lock };
+    if !slot.rescue.exists() {
+        slot.clear();
+        return None;
+    }
+    let rescue = Rescue::read(&slot.rescue);
+    Some(Orphan { slot, rescue })
+}
+
+fn folder(folders: &Folders) -> PathBuf {
+    folders.state.join("recovery")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_nobody_holds_is_an_orphan() {
+        let home = tempfile::tempdir().expect("a folder");
+        let folders = Folders::within(home.path());
+        assert!(orphans(&folders).is_empty());
+        let (first, second) =
+            (RecoverySlot::claim(&folders).expect("writable"), RecoverySlot::claim(&folders).expect("writable"));
+        let rescue = Rescue::new(Some(Path::new("/a.cloudscene")), "{}".into());
+        for slot in [&first, &second] {
+            rescue.write(slot.file()).expect("writable");
+        }
+        assert!(orphans(&folders).is_empty(), "both editors run");
+        drop(first);
+        let found = orphans(&folders);
+        assert_eq!(found.iter().map(|o| o.rescue.clone()).collect::<Vec<_>>(), [Ok(rescue)]);
+        assert!(orphans(&folders).is_empty(), "it is being offered");
+        fs::write(found[0].slot.file(), "{").expect("writable");
+        drop(found);
+        let mut found = orphans(&folders);
+        assert!(found[0].rescue.is_err(), "a broken one is offered too, to be thrown away");
+        found.remove(0).slot.clear();
+        second.clear();
+        let left = fs::read_dir(home.path().join("state/recovery")).expect("there").count();
+        assert_eq!(left, 0);
+        drop(RecoverySlot::claim(&folders).expect("writable"));
+        assert!(orphans(&folders).is_empty(), "nothing was ever kept in it");
+    }
+}

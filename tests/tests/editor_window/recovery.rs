@@ -1,0 +1,150 @@
+//! Work that a crash would lose. A crash is an editor that is dropped without leaving: its locks go, its files stay.
+
+use crate::Window;
+use cloudwright::editor::Reply;
+use cloudwright::opening;
+use cloudwright::storage::Folders;
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+use std::path::Path;
+
+/// Window seconds after which unsaved work has been kept, in steps.
+const STEPS_UNTIL_KEPT: usize = 20;
+
+impl Window {
+    fn wait_until_kept(&mut self) {
+        self.harness.run_steps(STEPS_UNTIL_KEPT);
+        self.settle();
+    }
+}
+
+fn kept_count(home: &Path) -> usize {
+    let folder = home.join("state/recovery");
+    std::fs::read_dir(folder).map_or(0, |entries| {
+        entries
+            .filter(|entry| entry.as_ref().is_ok_and(|e| e.path().extension().is_some_and(|x| x == "rescue")))
+            .count()
+    })
+}
+
+#[test]
+fn unsaved_work_comes_back_after_a_crash() {
+    let home = tempfile::tempdir().expect("a folder");
+    let folders = || Some(Folders::within(home.path()));
+    let path = home.path().join("sky.cloudscene");
+    let mut window = Window::open_with(folders());
+    window.settle();
+    window.answer(Reply::Path(path.clone()));
+    window.press("Save");
+    let saved = window.scene().clone();
+    window.press("body");
+    window.set("Sprites", 77.0);
+    assert_eq!(kept_count(home.path()), 0, "not while the hand is still at it");
+    window.wait_until_kept();
+    let lost = window.scene().clone();
+    let mut beside = Window::open_with(folders());
+    beside.settle();
+    assert!(!beside.shows("Recover unsaved work?"), "that editor still runs");
+    drop(window);
+    let mut again = Window::open_with(folders());
+    again.settle();
+    assert!(again.shows("Recover unsaved work?"));
+    again.press("Recover sky.cloudscene");
+    assert_eq!((again.scene(), again.session().path()), (&lost, Some(path.as_path())));
+    assert!(again.session().document().is_modified());
+    assert_eq!(opening::open_scene(&path).expect("a sound scene"), saved, "the file is as it was");
+    drop(again);
+    let mut again = Window::open_with(folders());
+    again.settle();
+    again.press("Recover sky.cloudscene");
+    again.keys(Modifiers::COMMAND, Key::S);
+    assert_eq!(opening::open_scene(&path).expect("a sound scene"), lost);
+    assert_eq!(kept_count(home.path()), 0, "saved is saved");
+}
+
+#[test]
+fn recovery_can_wait_or_be_refused() {
+    let home = tempfile::tempdir().expect("a folder");
+    let folders = || Some(Folders::within(home.path()));
+    for _ in 0..2 {
+        let mut window = Window::open_with(folders());
+        window.settle();
+        if window.shows("Recover unsaved work?") {
+            window.press("Later");
+        }
+        window.press("Add camera");
+        window.wait_until_kept();
+    }
+    assert_eq!(kept_count(home.path()), 2);
+    let mut window = Window::open_with(folders());
+    window.settle();
+    let start = window.scene().clone();
+    window.discard_first();
+    window.discard_first();
+    assert!(!window.shows("Recover unsaved work?"));
+    assert_eq!((window.scene(), kept_count(home.path())), (&start, 0));
+}
+
+impl Window {
+    fn discard_first(&mut self) {
+        let all: Vec<_> = self.harness.get_all_by_role_and_label(Role::Button, "Discard New scene").collect();
+        all.first().expect("one is offered").click();
+        self.settle();
+    }
+}
+
+#[test]
+fn an_end_on_purpose_leaves_nothing() {
+    let home = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open_with(Some(Folders::within(home.path())));
+    window.settle();
+    window.press("Add camera");
+    window.wait_until_kept();
+    assert_eq!(kept_count(home.path()), 1);
+    window.keys(Modifiers::COMMAND, Key::Z);
+    assert_eq!(kept_count(home.path()), 0, "undone, there is nothing to lose");
+    window.press("Add camera");
+    window.wait_until_kept();
+    window.keys(Modifiers::COMMAND, Key::Q);
+    window.press("Don't save");
+    window.harness.state_mut().leave();
+    drop(window);
+    let left = std::fs::read_dir(home.path().join("state/recovery")).expect("there").count();
+    assert_eq!(left, 0);
+}
+
+#[test]
+fn broken_leftovers_are_told_about() {
+    let home = tempfile::tempdir().expect("a folder");
+    let folders = || Some(Folders::within(home.path()));
+    let folder = home.path().join("state/recovery");
+    std::fs::create_dir_all(&folder).expect("writable");
+    let head = "{\"format\":\"cloudwright-rescue\",\"version\":1,\"path\":null,\"saved_at_s\":1";
+    for (rescue, button) in
+        [(format!("{head},\"scene\":\"{{}}\"}}"), "Recover New scene"), ("{".into(), "Recover Unreadable work")]
+    {
+        std::fs::write(folder.join("1-1.lock"), "").expect("writable");
+        std::fs::write(folder.join("1-1.rescue"), rescue).expect("writable");
+        let mut window = Window::open_with(folders());
+        window.settle();
+        let start = window.scene().clone();
+        window.press(button);
+        assert!(window.shows("error at recovery"));
+        window.press("Close");
+        assert_eq!(window.scene(), &start);
+        assert_eq!(kept_count(home.path()), 1, "what can't be read is not thrown away");
+    }
+}
+
+#[test]
+fn where_nothing_can_be_kept_it_is_said_and_work_goes_on() {
+    let home = tempfile::NamedTempFile::new().expect("a file where a folder should be");
+    let mut window = Window::open_with(Some(Folders::within(home.path())));
+    window.settle();
+    window.press("Add camera");
+    window.wait_until_kept();
+    assert!(window.shows("can't be kept"));
+    window.press("Add camera");
+    assert_eq!(window.scene().cameras.len(), 3);
+}
