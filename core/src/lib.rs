@@ -19,6 +19,7 @@ pub mod frame;
 pub mod image;
 pub mod math;
 pub mod parameter;
+pub mod preset;
 pub mod problem;
 pub mod random;
 pub mod raster;
