@@ -13,5 +13,8 @@ mod picture_png;
 pub mod renderer;
 pub mod storage;
 mod theme;
+pub mod thumbnail;
 mod viewport;
 pub mod worker;
+
+pub use panel::{category_gallery, preset_gallery};

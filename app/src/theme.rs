@@ -1,6 +1,6 @@
 //! The only colours and spacings.
 
-use egui::{Color32, Context, CornerRadius, Frame, Margin, Stroke, Style, Theme, Ui, Visuals, vec2};
+use egui::{Color32, Context, CornerRadius, Frame, Margin, Stroke, Style, Theme, Ui, Vec2, Visuals, vec2};
 
 /// Between things that belong apart.
 pub(crate) const GAP: f32 = 8.0;
@@ -20,6 +20,11 @@ pub(crate) const NUMBER_WIDTH: f32 = 62.0;
 pub(crate) const NAME_WIDTH: f32 = 108.0;
 /// Around marks in the viewport.
 pub(crate) const VIEWPORT_MARGIN: f32 = 10.0;
+
+/// Of a ready-made cloud in its gallery, points.
+pub(crate) const PRESET_PICTURE: Vec2 = vec2(192.0, 120.0);
+/// Of a category among the others: three of them side by side in the inspector, points.
+pub(crate) const CATEGORY_PICTURE: Vec2 = vec2(90.0, 56.25);
 
 /// A selected box.
 pub(crate) const SELECTED_BOX: Stroke = Stroke { width: 1.5, color: Color32::from_rgb(255, 176, 64) };
@@ -109,6 +114,11 @@ pub(crate) fn side(ui: &Ui) -> Frame {
 /// Windows that come up over the editor.
 pub(crate) fn dialog(context: &Context) -> Frame {
     Frame::popup(&context.global_style()).inner_margin(Margin::same(16))
+}
+
+/// Around a picture that is chosen, or that the keyboard is at.
+pub(crate) fn chosen_picture(ui: &Ui) -> Stroke {
+    Stroke::new(2.0, ui.visuals().selection.stroke.color)
 }
 
 /// What is wrong.

@@ -8,10 +8,12 @@ mod fields;
 mod inspector;
 mod model;
 mod outline;
+mod preset_gallery;
 mod sky;
 mod status;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use inspector::inspector;
 pub(crate) use outline::outline;
+pub use preset_gallery::{category_gallery, preset_gallery};
 pub(crate) use status::status;

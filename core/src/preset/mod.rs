@@ -13,7 +13,7 @@ use crate::formats::scene_file;
 use crate::scene::Scene;
 
 /// A ready-made cloud.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Preset {
     /// As on the command line.
     pub name: &'static str,

@@ -78,6 +78,7 @@ pub(super) fn scene() -> Scene {
         heap([2600.0, 1050.0, 200.0], 1000.0, 3),
         heap([-3050.0, 600.0, 300.0], 600.0, 2),
         heap([1200.0, 750.0, 1100.0], 750.0, 1),
+        heap([-1500.0, 720.0, 600.0], 780.0, 1),
     ];
     pile(&mut sketch, &mut model, &kind, &heaps);
     anvil(&mut sketch, &mut model);

@@ -1,9 +1,9 @@
 //! Torn rags of cloud (fractus): veils that let the sky through.
 
 use super::{Shot, one_cloud};
+use crate::authoring::Sketch;
 use crate::authoring::look::levels;
 use crate::authoring::sketch::Strew;
-use crate::authoring::Sketch;
 use cloudwright_core::scene::{Category, Scene};
 use glam::DVec3;
 
