@@ -25,6 +25,8 @@ pub(crate) const VIEWPORT_MARGIN: f32 = 10.0;
 pub(crate) const PRESET_PICTURE: Vec2 = vec2(192.0, 120.0);
 /// Of a category among the others: three of them side by side in the inspector, points.
 pub(crate) const CATEGORY_PICTURE: Vec2 = vec2(90.0, 56.25);
+/// Between a picture and its name, points.
+pub(crate) const PICTURE_NAME_GAP: f32 = 4.0;
 
 /// A selected box.
 pub(crate) const SELECTED_BOX: Stroke = Stroke { width: 1.5, color: Color32::from_rgb(255, 176, 64) };

@@ -111,15 +111,16 @@ fn draw(subject: Subject) -> Option<Picture> {
     Renderer::Cpu.picture(&frame, SAMPLES_SIDE).ok()
 }
 
-/// The same box for each category, so that nothing but the tiles tells them apart.
+/// The same few sprites for each category, so that nothing but their tiles tells them apart. The seed is one under
+/// which they lie side by side.
 fn sample_of(category: Category) -> Scene {
     let mut scene = Scene { time_of_day_h: 15.5, ..Scene::default() };
     let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), category.name(), category);
-    model.cull_radius = CullRadius::SpriteFraction(0.2);
+    (model.seed, model.cull_radius) = (7, CullRadius::SpriteFraction(0.2));
     let mut sample = CloudBox::new(BoxId::new(&mut scene.next_id), DVec3::ZERO);
-    sample.size = DVec3::new(640.0, 180.0, 360.0);
-    (sample.sprite_count, sample.width, sample.height) = (56, [170.0, 290.0], [170.0, 290.0]);
-    sample.lumps = [3, 1, 2];
+    sample.size = DVec3::new(560.0, 110.0, 120.0);
+    (sample.sprite_count, sample.width, sample.height) = (18, [180.0, 320.0], [180.0, 320.0]);
+    sample.lumps = [3, 1, 1];
     sample.light.center = GroupCenter::Pulled(0.33);
     if category == Category::FlatBase {
         // Level undersides only make sense upright and in one plane.
@@ -138,7 +139,9 @@ fn sample_of(category: Category) -> Scene {
     });
     scene.models.push(model);
     for camera in &mut scene.cameras {
-        (camera.position, camera.field_of_view_deg) = (at + DVec3::Z * 1300.0, 26.0);
+        // From below, before the blue of the sky.
+        camera.position = at + DVec3::new(0.0, -420.0, 1250.0);
+        (camera.pitch_deg, camera.field_of_view_deg) = (18.6, 24.0);
     }
     scene
 }

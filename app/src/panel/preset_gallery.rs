@@ -1,15 +1,18 @@
 //! Galleries of pictures to choose from: ready-made clouds, and categories.
 //!
 //! A tile is a button with a picture above its name: reached by Tab and the arrow keys, pressed by Enter, Space or
-//! click, and named for screen readers. Until its picture is drawn it is a quiet blank. Nothing is changed here; what
-//! was chosen is returned.
+//! click, and named for screen readers. Until its picture is drawn it is a quiet blank. Nothing is changed here; what was
+//! chosen is returned.
 
 use crate::theme;
 use crate::thumbnail::{Subject, Thumbnails};
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Category;
 use egui::accesskit::Role;
-use egui::{Color32, Rect, Response, Sense, StrokeKind, TextStyle, TextureId, Ui, Vec2, WidgetInfo, pos2, vec2};
+use egui::{
+    Color32, Rect, Response, Sense, StrokeKind, TextStyle, TextWrapMode, TextureId, Ui, Vec2, WidgetInfo, WidgetText,
+    pos2, vec2,
+};
 
 /// All presets. The one that was chosen in this frame.
 pub fn preset_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'static Preset> {
@@ -35,7 +38,7 @@ pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Categ
             let texture = thumbnails.texture(Subject::Category(category));
             let name = super::model::category_name(category);
             let response = tile(ui, texture, theme::CATEGORY_PICTURE, &name, Some(category == present));
-            if response.clicked() && category != present {
+            if response.on_hover_text(name).clicked() && category != present {
                 chosen = Some(category);
             }
         }
@@ -54,8 +57,7 @@ fn gallery<T>(ui: &mut Ui, tiles: impl FnOnce(&mut Ui) -> T) -> T {
 
 /// One tile, with a mark if it is `selected`; tiles that can't be have none.
 fn tile(ui: &mut Ui, texture: Option<TextureId>, picture: Vec2, name: &str, selected: Option<bool>) -> Response {
-    let name_height = ui.text_style_height(&TextStyle::Body) + ui.spacing().item_spacing.y;
-    let size = picture + vec2(0.0, name_height);
+    let size = picture + vec2(0.0, ui.text_style_height(&name_style(picture)) + theme::PICTURE_NAME_GAP);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| match selected {
         Some(selected) => WidgetInfo::selected(Role::Button, ui.is_enabled(), selected, name),
@@ -88,8 +90,17 @@ fn paint(ui: &Ui, response: &Response, texture: Option<TextureId>, picture: Vec2
         ui.visuals().widgets.noninteractive.bg_stroke
     };
     painter.rect_stroke(picture, 0.0, stroke, StrokeKind::Outside);
-    let font = TextStyle::Body.resolve(ui.style());
-    let text = painter.layout(name.to_owned(), font, visuals.text_color(), picture.width());
+    let text = WidgetText::from(name).into_galley(
+        ui,
+        Some(TextWrapMode::Truncate),
+        picture.width(),
+        name_style(picture.size()),
+    );
     let left = picture.center().x - 0.5 * text.size().x;
     painter.galley(pos2(left, response.rect.bottom() - text.size().y), text, visuals.text_color());
+}
+
+/// Names of small pictures are small.
+fn name_style(picture: Vec2) -> TextStyle {
+    if picture.x < theme::PRESET_PICTURE.x { TextStyle::Small } else { TextStyle::Body }
 }
