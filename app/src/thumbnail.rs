@@ -36,7 +36,7 @@ pub enum Subject {
 /// The pictures drawn so far in this session.
 pub struct Thumbnails {
     context: Context,
-    /// None once asked for is on its way.
+    /// None: asked for, and on its way.
     textures: HashMap<Subject, Option<TextureHandle>>,
     artist: Option<Artist>,
 }
@@ -53,7 +53,7 @@ impl Thumbnails {
         Self { context: context.clone(), textures: HashMap::new(), artist: None }
     }
 
-    /// The picture of `subject`, of the size 192 × 120 pixels; none while it is still to come.
+    /// The picture of `subject`, 192 × 120 pixels; none while it is still to come.
     pub fn texture(&mut self, subject: Subject) -> Option<TextureId> {
         self.take_up();
         if let Some(texture) = self.textures.get(&subject) {

@@ -11,9 +11,11 @@ pub use levels::LevelPreset;
 
 use crate::formats::scene_file;
 use crate::scene::Scene;
+use std::fmt;
+use std::hash::{Hash, Hasher};
 
-/// A ready-made cloud.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+/// A ready-made cloud. Presets are told apart by their names.
+#[derive(Clone, Copy)]
 pub struct Preset {
     /// As on the command line.
     pub name: &'static str,
@@ -57,5 +59,25 @@ impl Preset {
     /// Its whole scene. (A file that could not be read would be an empty scene; a test reads them all.)
     pub fn scene(&self) -> Scene {
         scene_file::read(self.file.as_bytes()).unwrap_or_default()
+    }
+}
+
+impl PartialEq for Preset {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
+    }
+}
+
+impl Eq for Preset {}
+
+impl Hash for Preset {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.name.hash(state);
+    }
+}
+
+impl fmt::Debug for Preset {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_tuple("Preset").field(&self.name).finish()
     }
 }
