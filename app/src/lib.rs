@@ -14,5 +14,8 @@ pub mod renderer;
 pub mod saving;
 pub mod storage;
 mod theme;
+pub mod thumbnail;
 mod viewport;
 pub mod worker;
+
+pub use panel::{category_gallery, preset_gallery};

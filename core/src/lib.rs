@@ -21,6 +21,7 @@ pub mod image;
 pub mod math;
 pub mod measure;
 pub mod parameter;
+pub mod preset;
 pub mod problem;
 pub mod random;
 pub mod raster;

@@ -5,6 +5,7 @@ use crate::editor;
 use crate::saving::{self, SaveError};
 use crate::storage::{Over, StorageError};
 use cloudwright_core::formats::scene_file::EXTENSION;
+use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Scene;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -15,7 +16,7 @@ pub(super) struct Arguments {
     /// File to write, NAME.cloudscene
     #[arg(value_name = "OUT")]
     output: PathBuf,
-    /// What is in the scene; the first preset below if not given
+    /// What is in the scene; `starter` if not given
     #[arg(long, value_name = "NAME")]
     preset: Option<String>,
     /// Replace a file that is there
@@ -23,19 +24,8 @@ pub(super) struct Arguments {
     force: bool,
 }
 
-/// A scene with its name and what it holds.
-struct Preset {
-    name: &'static str,
-    help: &'static str,
-    scene: fn() -> Scene,
-}
-
-/// The first one is what `new` writes if no other is named.
-const PRESETS: &[Preset] = &[Preset {
-    name: "starter",
-    help: "one small cumulus before the camera, as in the editor's new scene",
-    scene: editor::starter_scene,
-}];
+/// What `new` writes if no preset is named.
+const STARTER: (&str, &str) = ("starter", "One small cumulus before the camera, as in the editor's new scene.");
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { output, preset, force } = arguments;
@@ -56,27 +46,32 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// The scene that a preset's name stands for.
 fn scene_of(preset: Option<&str>) -> Result<Scene, Failure> {
-    let found = match preset {
-        Some(name) => PRESETS.iter().find(|preset| preset.name == name),
-        None => PRESETS.first(),
-    };
-    found.map(|preset| (preset.scene)()).ok_or_else(|| {
-        let what = format!("--preset {}: there is no such preset", preset.unwrap_or_default());
-        let names: Vec<&str> = PRESETS.iter().map(|preset| preset.name).collect();
-        Failure::argument(what, format!("the presets are {}", names.join(", ")))
-    })
+    match preset {
+        None => Ok(editor::starter_scene()),
+        Some(name) if name == STARTER.0 => Ok(editor::starter_scene()),
+        Some(name) => Preset::by_name(name).map(Preset::scene).ok_or_else(|| {
+            let what = format!("--preset {name}: there is no such preset");
+            let names: Vec<&str> = presets().map(|(name, _)| name).collect();
+            Failure::argument(what, format!("the presets are {}", names.join(", ")))
+        }),
+    }
+}
+
+/// Names and what they stand for.
+fn presets() -> impl Iterator<Item = (&'static str, &'static str)> {
+    std::iter::once(STARTER).chain(Preset::ALL.iter().map(|preset| (preset.name, preset.help)))
 }
 
 fn after_help() -> String {
     let mut text = String::from(
         "Examples:
   cloudwright new sky.cloudscene
-  cloudwright new sky.cloudscene --preset starter
+  cloudwright new sky.cloudscene --preset cumulus_congestus
   cloudwright new sky.cloudscene --force
 
 Presets:",
     );
-    for Preset { name, help, .. } in PRESETS {
+    for (name, help) in presets() {
         let _ = write!(text, "\n  {name:<20}  {help}");
     }
     text

@@ -38,6 +38,7 @@ use crate::panel::{self, Palette, Panel, Reading};
 use crate::renderer::RendererChoice;
 use crate::storage::Folders;
 use crate::theme;
+use crate::thumbnail::Thumbnails;
 use crate::viewport::Viewport;
 use cloudwright_core::scene::{CameraId, ColorLevels};
 use desk::Desk;
@@ -46,6 +47,7 @@ use eframe::egui_wgpu::RenderState;
 pub(crate) use file_flow::Intent;
 use files::Waiting;
 use layout::Layout;
+use std::cell::RefCell;
 use std::path::PathBuf;
 use time_play::TimePlay;
 use toasts::Toasts;
@@ -67,6 +69,8 @@ pub struct Editor {
     after_save: Option<Intent>,
     dialogs: Dialogs,
     toasts: Toasts,
+    /// Shared by galleries in dialogs and panels, which only read all else.
+    thumbnails: RefCell<Thumbnails>,
     /// Esc was pressed: the rest of this gesture is ignored.
     gesture_dropped: bool,
     quitting: bool,
@@ -109,6 +113,7 @@ impl Editor {
             after_save: None,
             dialogs: Dialogs::default(),
             toasts: Toasts::default(),
+            thumbnails: RefCell::new(Thumbnails::new(context)),
             gesture_dropped: false,
             quitting: false,
             title: String::new(),

@@ -13,6 +13,7 @@ mod inspector;
 mod model;
 mod outline;
 mod palette;
+mod preset_gallery;
 mod problems;
 mod progress;
 mod shading_groups;
@@ -21,6 +22,7 @@ mod status;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use palette::Palette;
+pub use preset_gallery::{category_gallery, preset_gallery};
 pub(crate) use status::status;
 
 use crate::editor::{Action, Session, ViewState};

@@ -4,7 +4,7 @@ pub(crate) mod icon;
 
 use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Frame, Margin, RichText, Stroke, Style,
-    Theme, Ui, Visuals, vec2,
+    Theme, Ui, Vec2, Visuals, vec2,
 };
 
 /// Between things that belong apart.
@@ -23,6 +23,8 @@ pub(crate) const PROGRESS_WIDTH: f32 = 140.0;
 pub(crate) const NUMBER_WIDTH: f32 = 62.0;
 /// Of the column of names in the inspector, points.
 pub(crate) const NAME_WIDTH: f32 = 108.0;
+/// Of the gallery of presets: three pictures side by side, points.
+pub(crate) const GALLERY_WIDTH: f32 = 620.0;
 /// Of messages, points.
 pub(crate) const TOAST_WIDTH: f32 = 340.0;
 /// Between messages and the window's rim, points.
@@ -31,6 +33,13 @@ pub(crate) const TOAST_MARGIN: f32 = 12.0;
 pub(crate) const STATUS_HEIGHT: f32 = 30.0;
 /// Around marks in the viewport.
 pub(crate) const VIEWPORT_MARGIN: f32 = 10.0;
+
+/// Of a ready-made cloud in its gallery, points.
+pub(crate) const PRESET_PICTURE: Vec2 = vec2(192.0, 120.0);
+/// Of a category among the others: three of them side by side in the inspector, points.
+pub(crate) const CATEGORY_PICTURE: Vec2 = vec2(90.0, 56.25);
+/// Between a picture and its name, points.
+pub(crate) const PICTURE_NAME_GAP: f32 = 4.0;
 
 /// A selected box.
 pub(crate) const SELECTED_BOX: Stroke = Stroke { width: 1.5, color: Color32::from_rgb(255, 176, 64) };
@@ -137,6 +146,11 @@ pub(crate) fn side(ui: &Ui) -> Frame {
 /// Windows that come up over the editor.
 pub(crate) fn dialog(context: &Context) -> Frame {
     Frame::popup(&context.global_style()).inner_margin(Margin::same(16))
+}
+
+/// Around a picture that is chosen, or that the keyboard is at.
+pub(crate) fn chosen_picture(ui: &Ui) -> Stroke {
+    Stroke::new(2.0, ui.visuals().selection.stroke.color)
 }
 
 /// What is wrong.

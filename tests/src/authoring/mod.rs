@@ -11,11 +11,13 @@ mod cumulus;
 mod fair_weather;
 mod look;
 mod overcast;
+mod presets;
 mod single_cumulus;
 mod sketch;
 mod stratus;
 
 pub use look::heap as heap_levels;
+pub use presets::PRESETS;
 pub use sketch::{Sketch, Strew};
 
 use cloudwright_core::scene::Scene;

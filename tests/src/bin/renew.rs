@@ -1,6 +1,6 @@
-//! Makes the checked-in assets again: `renew atlas | scenes | schema | pictures DIR`.
+//! Makes the checked-in assets again: `renew atlas | scenes | presets | schema | pictures DIR`.
 //!
-//! Run in the project's root. Tests say when atlas, scenes or schema are stale.
+//! Run in the project's root. Tests say when atlas, scenes, presets or schema are stale.
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
@@ -8,7 +8,8 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::raster::fast;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_tests::{atlas, authoring};
+use cloudwright_tests::atlas;
+use cloudwright_tests::authoring::{self, NamedScene};
 use std::error::Error;
 use std::fs::{self, File};
 use std::path::Path;
@@ -19,15 +20,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["atlas"] => {
             write_png("assets/atlas/clouds.png".as_ref(), 512, 512, &atlas::generate_sheet(atlas::BUILT_IN_SEED))
         }
-        ["scenes"] => authoring::SCENES.iter().try_for_each(|(name, scene)| {
-            let path = format!("assets/scenes/{name}.{}", scene_file::EXTENSION);
-            Ok(fs::write(path, scene_file::write(&scene())?)?)
-        }),
+        ["scenes"] => write_scenes("assets/scenes", authoring::SCENES),
+        ["presets"] => write_scenes("assets/presets", authoring::PRESETS),
         ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
         ["pictures", folder] => pictures(folder.as_ref(), ""),
         ["pictures", folder, only] => pictures(folder.as_ref(), only),
-        _ => Err("usage: renew atlas | scenes | schema | pictures DIR [SCENE]".into()),
+        _ => Err("usage: renew atlas | scenes | presets | schema | pictures DIR [SCENE]".into()),
     }
+}
+
+fn write_scenes(folder: &str, scenes: &[NamedScene]) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(folder)?;
+    scenes.iter().try_for_each(|(name, scene)| {
+        let path = format!("{folder}/{name}.{}", scene_file::EXTENSION);
+        Ok(fs::write(path, scene_file::write(&scene())?)?)
+    })
 }
 
 /// Every camera of every shipped scene whose name has `only` in it.

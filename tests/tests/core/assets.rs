@@ -2,7 +2,8 @@
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
-use cloudwright_core::problem::check_with_sprites;
+use cloudwright_core::preset::{LevelPreset, Preset};
+use cloudwright_core::problem::{check, check_with_sprites};
 use cloudwright_tests::{atlas, authoring, root, scene_path};
 use std::fs;
 
@@ -28,6 +29,43 @@ fn scenes_are_fresh_and_without_problems() {
         assert!(scene.cameras.len() >= 2, "{name} has two cameras or more");
         assert!(scene.camera_named("main").is_some(), "{name} has a camera “main”");
     }
+}
+
+#[test]
+fn presets_are_fresh_and_sound() {
+    let made: Vec<&str> = authoring::PRESETS.iter().map(|(name, _)| *name).collect();
+    let offered: Vec<&str> = Preset::ALL.iter().map(|preset| preset.name).collect();
+    assert_eq!(offered, made, "each preset that is made is offered, in that order");
+    for (name, make) in authoring::PRESETS {
+        let made = make();
+        let preset = Preset::by_name(name).expect("offered");
+        let scene = preset.scene();
+        assert!(scene == made, "{name} is stale: run `cargo run -p cloudwright-tests --bin renew -- presets`");
+        let path = root().join("assets/presets").join(name).with_extension("cloudscene");
+        let bytes = fs::read(path).expect("a preset's file");
+        assert!(bytes == scene_file::write(&made).expect("finite numbers").as_bytes(), "{name}: not byte for byte");
+        let derived = Derived::new(&scene);
+        assert_eq!(check_with_sprites(&scene, derived.clouds()), [], "{name}");
+        let counts = [scene.models.len(), scene.clouds.len(), scene.cameras.len()];
+        assert_eq!(counts, [1, 1, 1], "{name}: one model, one cloud, one camera");
+        assert_eq!(scene.cameras[0].name, "main", "{name}");
+        let kept = derived.clouds()[0].sprites.len();
+        assert!((5..=400).contains(&kept), "{name}: {kept} sprites, a cloud has 5 to 400 (MODEL, 2)");
+    }
+    assert_eq!(Preset::by_name("cumulus"), None);
+}
+
+#[test]
+fn level_presets_suit_any_model() {
+    let all = LevelPreset::all();
+    assert!(all.len() > Preset::ALL.len(), "moods, and those of the presets");
+    let mut scene = Preset::ALL[0].scene();
+    for preset in all {
+        scene.models[0].color_levels = preset.levels;
+        assert_eq!(check(&scene), [], "{}", preset.name);
+        assert_eq!(LevelPreset::by_name(preset.name), Some(preset), "names differ");
+    }
+    assert_eq!(LevelPreset::by_name("noon"), None);
 }
 
 #[test]

@@ -6,6 +6,7 @@
 
 mod editing;
 mod files;
+mod gallery;
 mod off_frame;
 mod on_disk;
 mod recovery;

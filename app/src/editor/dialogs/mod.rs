@@ -4,6 +4,7 @@
 //! follows from it stands here.
 
 mod path;
+mod preset;
 mod question;
 mod recent;
 mod recovery;
@@ -36,6 +37,8 @@ pub(super) enum Dialog {
     Recent(Vec<(PathBuf, bool)>),
     /// What other editors left.
     Recovery(Vec<Orphan>),
+    /// Ready-made clouds to choose from.
+    Preset,
     /// A path to be typed.
     Path { ask: Ask, text: String },
     /// Something went wrong.
@@ -134,6 +137,12 @@ impl Editor {
                 }
                 Fate::Later => {}
             },
+            Dialog::Preset => {
+                let chosen = preset::choose(context, self.thumbnails.get_mut())?;
+                if let Some(preset) = chosen {
+                    self.add_preset(preset);
+                }
+            }
             Dialog::Path { ask, text } => match path::ask(context, ask, text)? {
                 Some(path) => self.use_path(&ask.clone(), path, false, context),
                 None => self.after_save = None,

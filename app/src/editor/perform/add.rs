@@ -3,6 +3,7 @@
 use crate::command::Command;
 use crate::editor::{Editor, Item, Selection, box_of, camera_of, starter};
 use cloudwright_core::document::{Edit, ListEdit};
+use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::{BoxId, Camera, CameraId, Cloud, CloudBox, CloudId};
 use glam::DVec3;
 
@@ -12,7 +13,11 @@ impl Editor {
         self.edit_and_select(Command::AddCloud, edits, Selection::of([Item::Cloud(id)]));
     }
 
-    pub(super) fn choose_preset(&mut self) {}
+    /// A cloud of a preset, with a model of its own, where the view looks.
+    pub(in crate::editor) fn add_preset(&mut self, preset: &Preset) {
+        let (edits, id) = preset.place(self.session.scene(), self.viewport.looked_at());
+        self.edit_and_select(Command::AddPreset, edits, Selection::of([Item::Cloud(id)]));
+    }
 
     pub(super) fn ask_place_many(&mut self) {}
 

@@ -149,7 +149,7 @@ impl Editor {
             Command::ResetSprites => self.reset_sprites(),
             Command::Delete => self.delete(),
             Command::AddCloud => self.add_cloud(),
-            Command::AddPreset => self.choose_preset(),
+            Command::AddPreset => self.dialogs.open(Dialog::Preset),
             Command::PlaceModel => self.place_model(),
             Command::PlaceMany => self.ask_place_many(),
             Command::AddBox => self.add_box(),
