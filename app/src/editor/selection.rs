@@ -137,7 +137,8 @@ impl Selection {
 
     /// Whether the model itself or a group or sprite of it is selected.
     pub(crate) fn of_model(&self, model: ModelId) -> bool {
-        let of = |item: &Item| matches!(item, Item::Model(id) | Item::Group(id, _) | Item::Sprite(id, ..) if *id == model);
+        let of =
+            |item: &Item| matches!(item, Item::Model(id) | Item::Group(id, _) | Item::Sprite(id, ..) if *id == model);
         self.items.iter().any(of)
     }
 

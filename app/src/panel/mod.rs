@@ -10,9 +10,11 @@ mod color_levels;
 mod fields;
 mod history;
 mod inspector;
+mod kept;
 mod model;
 mod outline;
 mod palette;
+mod place_many;
 mod problems;
 mod shading_groups;
 mod sky;
@@ -20,6 +22,7 @@ mod status;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use palette::Palette;
+pub(crate) use place_many::{ask_place_many, default_places};
 pub(crate) use status::status;
 
 use crate::editor::{Action, Session, ViewState};

@@ -48,7 +48,7 @@ impl Editor {
     }
 
     /// Tells why a change was refused.
-    fn report(&mut self, done: Result<(), EditError>) {
+    pub(in crate::editor) fn report(&mut self, done: Result<(), EditError>) {
         match done {
             Ok(()) => self.notice = None,
             Err(error) => self.tell_error(error.to_string()),
