@@ -13,6 +13,7 @@ mod files;
 mod layout;
 mod on_disk;
 mod perform;
+mod place_many;
 mod regeneration;
 mod remember;
 mod save_flow;
@@ -47,6 +48,7 @@ use eframe::egui_wgpu::RenderState;
 pub(crate) use file_flow::Intent;
 use files::Waiting;
 use layout::Layout;
+use place_many::PlaceMany;
 use std::cell::RefCell;
 use std::path::PathBuf;
 use time_play::TimePlay;
@@ -59,6 +61,7 @@ pub struct Editor {
     viewport: Viewport,
     layout: Layout,
     palette: Option<Palette>,
+    place_many: Option<PlaceMany>,
     time_play: TimePlay,
     /// The camera that was looked through last by the key.
     last_camera: Option<CameraId>,
@@ -104,6 +107,7 @@ impl Editor {
             view: ViewState::default(),
             layout: Layout::default(),
             palette: None,
+            place_many: None,
             time_play: TimePlay::default(),
             last_camera: None,
             copied_levels: None,
@@ -173,6 +177,10 @@ impl Editor {
             return;
         }
         self.gesture_dropped = false;
+        // Many placements stay open until they are answered.
+        if self.place_many.is_some() {
+            return;
+        }
         if self.session.document().is_open()
             && let Err(error) = self.session.commit()
         {
@@ -232,7 +240,7 @@ impl eframe::App for Editor {
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
         let mut actions: Vec<Action> = Vec::new();
-        if !self.dialogs.is_open() && self.palette.is_none() {
+        if !self.dialogs.is_open() && self.palette.is_none() && self.place_many.is_none() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
         actions.extend(self.panels(ui));
@@ -242,6 +250,7 @@ impl eframe::App for Editor {
         self.show_dialogs(&context);
         dialogs::show_drop_target(&context);
         self.show_palette(&context);
+        self.show_place_many(&context);
         self.toasts.show(&context);
         self.show_title(&context);
         self.autosave(&context);

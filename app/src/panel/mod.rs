@@ -10,9 +10,11 @@ mod color_levels;
 mod fields;
 mod history;
 mod inspector;
+mod kept;
 mod model;
 mod outline;
 mod palette;
+mod place_many;
 mod preset_gallery;
 mod problems;
 mod progress;
@@ -22,6 +24,7 @@ mod status;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use palette::Palette;
+pub(crate) use place_many::{ask_place_many, default_places};
 pub use preset_gallery::{category_gallery, preset_gallery};
 pub(crate) use status::status;
 

@@ -19,8 +19,6 @@ impl Editor {
         self.edit_and_select(Command::AddPreset, edits, Selection::of([Item::Cloud(id)]));
     }
 
-    pub(super) fn ask_place_many(&mut self) {}
-
     pub(super) fn place_model(&mut self) {
         let scene = self.session.scene();
         let Some(model) = self.view.selection.model(scene) else { return };
