@@ -133,6 +133,10 @@ fn nothing_is_lost_on_the_way_through_errors() {
     session.drag("d", with_sprites(&session, 0, TOO_MANY)).expect("found");
     session.drag("d", with_sprites(&session, 1, 8)).expect("found");
     wait(&mut session);
+    // What changed while there were errors, and clouds of before arrived, is not forgotten.
+    session.drag("d", with_sprites(&session, 0, 33)).expect("found");
+    assert_derived(&session, "sound once more");
+    session.drag("d", with_sprites(&session, 0, TOO_MANY)).expect("found");
     session.commit().expect_err("there are too many");
     wait(&mut session);
     assert_derived(&session, "refused");
