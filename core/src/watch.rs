@@ -49,23 +49,36 @@ pub(crate) struct Along<'a, I> {
     watch: &'a Watch,
     items: I,
     work: u64,
+    /// Since progress was last told.
     passed: u64,
+}
+
+impl<I> Along<'_, I> {
+    fn tell(&mut self) {
+        self.watch.done.fetch_add(self.passed * self.work, Ordering::Relaxed);
+        self.passed = 0;
+    }
+}
+
+impl<I> Drop for Along<'_, I> {
+    fn drop(&mut self) {
+        self.tell();
+    }
 }
 
 impl<I: Iterator> Iterator for Along<'_, I> {
     type Item = I::Item;
 
     fn next(&mut self) -> Option<I::Item> {
-        if self.passed.is_multiple_of(STRIDE) {
-            if self.watch.is_cancelled() {
-                return None;
-            }
-            if self.passed > 0 {
-                self.watch.done.fetch_add(STRIDE * self.work, Ordering::Relaxed);
-            }
+        if self.passed == STRIDE {
+            self.tell();
         }
+        if self.passed == 0 && self.watch.is_cancelled() {
+            return None;
+        }
+        let item = self.items.next()?;
         self.passed += 1;
-        self.items.next()
+        Some(item)
     }
 
     fn size_hint(&self) -> (usize, Option<usize>) {

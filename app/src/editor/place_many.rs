@@ -55,7 +55,7 @@ impl Editor {
         }
         self.session.cancel();
         let arrangement = place_many::model(self.session.scene(), asked.model, &asked.places);
-        asked.made = arrangement.made.into_iter().map(Item::from).collect();
+        asked.made = arrangement.made;
         let done = self.session.drag(Command::PlaceMany.row().label(), arrangement.edits);
         self.report(done);
         asked.shown = Some(asked.places);

@@ -4,27 +4,10 @@
 //! shows. Boxes and sprites belong to models, which may be placed often: `through` is the placement in which the artist
 //! sees and moves them.
 
-use cloudwright_core::arrange::Thing;
+pub use cloudwright_core::arrange::Thing as Item;
 use cloudwright_core::scene::{
     BoxId, Camera, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, ModelId, Scene, ShadingGroup,
 };
-
-/// One thing of the scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Item {
-    /// A cloud model.
-    Model(ModelId),
-    /// A box of a model.
-    Box(ModelId, BoxId),
-    /// A sprite of a box, by its index.
-    Sprite(ModelId, BoxId, u32),
-    /// A named shading group of a model.
-    Group(ModelId, GroupId),
-    /// A placed cloud.
-    Cloud(CloudId),
-    /// A camera.
-    Camera(CameraId),
-}
 
 /// How a choice joins what is selected already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -130,11 +113,6 @@ impl Selection {
         self.items.iter().filter_map(|item| if let Item::Group(model, id) = item { Some((*model, *id)) } else { None })
     }
 
-    /// All that is selected, as the core names it.
-    pub(crate) fn things(&self) -> impl Iterator<Item = Thing> + '_ {
-        self.items.iter().map(|item| Thing::from(*item))
-    }
-
     /// Whether the model itself or a group or sprite of it is selected.
     pub(crate) fn of_model(&self, model: ModelId) -> bool {
         let of =
@@ -157,32 +135,6 @@ impl Selection {
         let model = model_of(primary, scene)?;
         let picked = self.through.and_then(|id| scene.cloud(id)).filter(|cloud| cloud.model == model);
         picked.or_else(|| scene.clouds.iter().find(|cloud| cloud.model == model))
-    }
-}
-
-impl From<Item> for Thing {
-    fn from(item: Item) -> Self {
-        match item {
-            Item::Model(id) => Self::Model(id),
-            Item::Box(model, id) => Self::Box(model, id),
-            Item::Sprite(model, id, index) => Self::Sprite(model, id, index),
-            Item::Group(model, id) => Self::Group(model, id),
-            Item::Cloud(id) => Self::Cloud(id),
-            Item::Camera(id) => Self::Camera(id),
-        }
-    }
-}
-
-impl From<Thing> for Item {
-    fn from(thing: Thing) -> Self {
-        match thing {
-            Thing::Model(id) => Self::Model(id),
-            Thing::Box(model, id) => Self::Box(model, id),
-            Thing::Sprite(model, id, index) => Self::Sprite(model, id, index),
-            Thing::Group(model, id) => Self::Group(model, id),
-            Thing::Cloud(id) => Self::Cloud(id),
-            Thing::Camera(id) => Self::Camera(id),
-        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! New things with values to start from: the scene of an empty window, a cloud, a box.
 
+use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::{
     BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, GroupCenter, IdCounter, ModelId, Scene,
@@ -45,7 +46,7 @@ fn cumulus(counter: &mut IdCounter) -> Vec<CloudBox> {
 /// A model of one box and its first cloud, as edits, with what to select.
 pub(crate) fn add_cloud(scene: &Scene, at: DVec3) -> (Vec<Edit>, CloudId) {
     let mut counter = scene.next_id;
-    let name = free_name("cloud", scene.models.iter().map(|model| model.name.as_str()));
+    let name = Names::new(scene.models.iter().map(|model| model.name.as_str())).free("cloud");
     let mut model = CloudModel::new(ModelId::new(&mut counter), &name, Category::CumulusHumilis);
     model.boxes.push(CloudBox::new(BoxId::new(&mut counter), DVec3::ZERO));
     let cloud = placement(CloudId::new(&mut counter), &model, at);
@@ -61,14 +62,4 @@ pub(crate) fn add_cloud(scene: &Scene, at: DVec3) -> (Vec<Edit>, CloudId) {
 /// Another cloud of a model.
 pub(crate) fn placement(id: CloudId, model: &CloudModel, position: DVec3) -> Cloud {
     Cloud { id, name: model.name.clone(), model: model.id, position, heading_deg: 0.0, scale: 1.0, seed: None }
-}
-
-/// `stem`, or `stem 2`, `stem 3`, … whichever is the first that is free.
-pub(crate) fn free_name<'a>(stem: &str, taken: impl Iterator<Item = &'a str>) -> String {
-    let taken: Vec<&str> = taken.collect();
-    let stem = stem.trim_end_matches(|c: char| c.is_ascii_digit()).trim_end();
-    (1_usize..)
-        .map(|n| if n == 1 { stem.to_owned() } else { format!("{stem} {n}") })
-        .find(|name| !taken.contains(&name.as_str()))
-        .unwrap_or_default()
 }

@@ -4,7 +4,7 @@ use crate::scene::{BoxId, CloudBox, CloudModel, GroupId, IdCounter, ModelId, Sha
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A whole model's copy, called `name`. It looks like the original.
-pub(super) fn copy_model(model: &CloudModel, name: String, counter: &mut IdCounter) -> CloudModel {
+pub(crate) fn copy_model(model: &CloudModel, name: String, counter: &mut IdCounter) -> CloudModel {
     let id = ModelId::new(counter);
     let (groups, boxes) = copy_parts(&model.groups, &model.boxes, counter);
     CloudModel { id, name, groups, boxes, ..model.clone() }

@@ -23,6 +23,7 @@ pub mod sprites;
 #[cfg(test)]
 mod test_scenes;
 
+pub(crate) use copy::copy_model;
 pub use model_space::ModelSpace;
 pub use names::Names;
 

@@ -18,11 +18,14 @@ fn counts(work: WorkDone) -> [u64; 3] {
 #[test]
 fn what_is_touched_and_nothing_else() {
     let scene = overcast();
-    let of_model = |model: &CloudModel| scene.clouds.iter().filter(move |cloud| cloud.model == model.id);
     assert_eq!(scene.clouds.iter().filter_map(|cloud| Some(scene.model(cloud.model)?.boxes.len())).sum::<usize>(), 200);
     let model = &scene.models[0];
-    let uses = of_model(model).count() as u64;
-    assert!(uses > 1 && of_model(model).all(|cloud| cloud.seed.is_some()), "each placement has sprites of its own");
+    let placements: Vec<&Cloud> = scene.clouds.iter().filter(|cloud| cloud.model == model.id).collect();
+    assert!(
+        placements.len() > 1 && placements.iter().all(|cloud| cloud.seed.is_some()),
+        "each with sprites of its own"
+    );
+    let uses = placements.len() as u64;
 
     let edit_model = |change: fn(&mut CloudModel)| {
         let mut model = model.clone();

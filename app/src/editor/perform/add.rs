@@ -2,6 +2,7 @@
 
 use crate::command::Command;
 use crate::editor::{Editor, Item, Selection, box_of, camera_of, starter};
+use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::{BoxId, Camera, CameraId, Cloud, CloudBox, CloudId};
@@ -24,7 +25,7 @@ impl Editor {
         let Some(model) = self.view.selection.model(scene) else { return };
         let mut counter = scene.next_id;
         let mut cloud = starter::placement(CloudId::new(&mut counter), model, self.viewport.looked_at());
-        cloud.name = starter::free_name(&cloud.name, scene.clouds.iter().map(|cloud| cloud.name.as_str()));
+        cloud.name = Names::new(scene.clouds.iter().map(|cloud| cloud.name.as_str())).free(&cloud.name);
         let id = cloud.id;
         let edits = vec![Edit::NextId(counter), insert_cloud(cloud)];
         self.edit_and_select(Command::PlaceModel, edits, Selection::of([Item::Cloud(id)]));
@@ -54,7 +55,7 @@ impl Editor {
         let scene = self.session.scene();
         let mut counter = scene.next_id;
         let id = CameraId::new(&mut counter);
-        let name = starter::free_name("camera", scene.cameras.iter().map(|camera| camera.name.as_str()));
+        let name = Names::new(scene.cameras.iter().map(|camera| camera.name.as_str())).free("camera");
         let camera = Camera { id, name, ..self.viewport.camera().clone() };
         let edits = vec![Edit::NextId(counter), Edit::Camera(ListEdit::Insert { at: usize::MAX, value: camera })];
         self.edit_and_select(Command::AddCamera, edits, Selection::of([Item::Camera(id)]));

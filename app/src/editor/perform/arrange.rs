@@ -8,7 +8,7 @@ use crate::editor::{Editor, Item, Selection, box_of};
 use cloudwright_core::arrange::duplicate::{self, Copy};
 use cloudwright_core::arrange::mirror::{self, Axis};
 use cloudwright_core::arrange::sprites::SpriteId;
-use cloudwright_core::arrange::{Arrangement, Refusal, Thing, delete, join, split, sprites};
+use cloudwright_core::arrange::{Arrangement, Refusal, delete, join, split, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::random;
 use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId};
@@ -25,7 +25,7 @@ impl Editor {
             self.view.selection.clone()
         } else {
             let seen = self.view.selection.cloud(self.session.scene()).map(|cloud| cloud.id);
-            let made = Selection::of(made.into_iter().map(Item::from));
+            let made = Selection::of(made);
             if let Some(cloud) = seen { made.through(cloud) } else { made }
         };
         self.edit_and_select(command, edits, selection);
@@ -156,7 +156,7 @@ impl Editor {
     /// With what hangs on it. After a group or a sprite, the artist is still at work on its cloud.
     pub(super) fn delete(&mut self) {
         let scene = self.session.scene();
-        let things: Vec<Thing> = self.view.selection.things().collect();
+        let things = self.view.selection.items();
         let left = match self.view.selection.primary() {
             Some(Item::Group(model, _) | Item::Sprite(model, ..)) => {
                 let cloud = self.view.selection.cloud(scene).map(|cloud| Item::Cloud(cloud.id));

@@ -3,7 +3,7 @@
 use crate::command::Command;
 use crate::editor::Editor;
 use cloudwright_core::arrange::group::{self, Destination};
-use cloudwright_core::arrange::{Names, Thing, auto_group};
+use cloudwright_core::arrange::{Names, auto_group};
 use cloudwright_core::sprites::populate;
 
 impl Editor {
@@ -20,7 +20,7 @@ impl Editor {
     fn put_into(&mut self, command: Command, destination: &Destination) {
         let scene = self.session.scene();
         let Some(model) = self.view.selection.model(scene) else { return };
-        let things: Vec<Thing> = self.view.selection.things().collect();
+        let things = self.view.selection.items();
         let arrangement = group::put(scene, model.id, &things, destination);
         self.arrange(command, arrangement);
     }

@@ -100,7 +100,7 @@ fn cancelling_takes_back_what_asked_for_the_work() {
     assert_derived(&session, "redone");
     // A gesture is dropped.
     let many = session.scene().clone();
-    session.drag("More", with_sprites(&session, 0, MANY + 1000)).expect("in range");
+    session.drag("More", vec![with_sprites(&session, 0, MANY + 1000)]).expect("in range");
     session.cancel_pending();
     assert_eq!((session.scene(), session.document().is_open()), (&many, false));
     assert_derived(&session, "dropped");
@@ -124,15 +124,19 @@ fn a_large_scene_opens_before_its_clouds() {
 #[test]
 fn nothing_is_lost_on_the_way_through_errors() {
     let mut session = session();
-    session.drag("d", with_sprites(&session, 0, TOO_MANY)).expect("found");
-    session.drag("d", with_sprites(&session, 1, 7)).expect("found");
+    session.drag("d", vec![with_sprites(&session, 0, TOO_MANY)]).expect("found");
+    session.drag("d", vec![with_sprites(&session, 1, 7)]).expect("found");
     assert_eq!(session.derived().clouds()[1].candidate_count, 30, "clouds stay while there are errors");
-    session.drag("d", with_sprites(&session, 0, 31)).expect("found");
+    session.drag("d", vec![with_sprites(&session, 0, 31)]).expect("found");
     assert_derived(&session, "sound again");
-    session.drag("d", with_sprites(&session, 0, MANY)).expect("found");
-    session.drag("d", with_sprites(&session, 0, TOO_MANY)).expect("found");
-    session.drag("d", with_sprites(&session, 1, 8)).expect("found");
+    session.drag("d", vec![with_sprites(&session, 0, MANY)]).expect("found");
+    session.drag("d", vec![with_sprites(&session, 0, TOO_MANY)]).expect("found");
+    session.drag("d", vec![with_sprites(&session, 1, 8)]).expect("found");
     wait(&mut session);
+    // What changed while there were errors, and clouds of before arrived, is not forgotten.
+    session.drag("d", vec![with_sprites(&session, 0, 33)]).expect("found");
+    assert_derived(&session, "sound once more");
+    session.drag("d", vec![with_sprites(&session, 0, TOO_MANY)]).expect("found");
     session.commit().expect_err("there are too many");
     wait(&mut session);
     assert_derived(&session, "refused");
@@ -154,10 +158,10 @@ fn a_random_walk_ends_with_the_clouds_of_the_scene() {
                 3 => drop(session.redo()),
                 4 => session.cancel_pending(),
                 5 => wait(&mut session),
-                6 => session.drag("d", with_sprites(&session, which, TOO_MANY)).expect("found"),
-                7 => session.drag("d", Edit::TimeOfDay(f64::from(size % 24))).expect("found"),
-                8 | 9 => session.drag("d", with_sprites(&session, 0, MANY + size % 3)).expect("found"),
-                _ => session.drag("d", with_sprites(&session, which, size % 90)).expect("found"),
+                6 => session.drag("d", vec![with_sprites(&session, which, TOO_MANY)]).expect("found"),
+                7 => session.drag("d", vec![Edit::TimeOfDay(f64::from(size % 24))]).expect("found"),
+                8 | 9 => session.drag("d", vec![with_sprites(&session, 0, MANY + size % 3)]).expect("found"),
+                _ => session.drag("d", vec![with_sprites(&session, which, size % 90)]).expect("found"),
             }
             session.keep_up(&context);
             if session.is_sound && session.pending().is_none() {

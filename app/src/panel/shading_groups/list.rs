@@ -8,8 +8,8 @@ use crate::panel::Reading;
 use crate::panel::fields::name_it;
 use crate::theme::{self, icon};
 use cloudwright_core::arrange::auto_group::MOST_SPRITES;
+use cloudwright_core::arrange::delete;
 use cloudwright_core::arrange::group::{self, Destination};
-use cloudwright_core::arrange::{Thing, delete};
 use cloudwright_core::scene::{BoxId, CloudModel, GroupId};
 use cloudwright_core::sprites::{GroupKey, PlacedCloud};
 use egui::{Align, Atom, Button, IdSalt, Label, Layout, Response, RichText, Sense, Ui, Vec2, vec2};
@@ -143,12 +143,12 @@ impl Row<'_> {
     fn buttons(&self, ui: &mut Ui, id: GroupId, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         let (scene, model) = (reading.session.scene(), self.model.id);
         if quiet(ui, icon::TRASH, &format!("Delete {}", self.name), true).clicked() {
-            let edits = delete::things(scene, &[Thing::Group(model, id)]).edits;
+            let edits = delete::things(scene, &[Item::Group(model, id)]).edits;
             actions.push(Action::Change { name: "Delete shading group", edits, live: false });
         }
         let name = format!("Assign selection to {}", self.name);
         if quiet(ui, icon::PAINT_BUCKET, &name, has_members(reading)).clicked() {
-            let things: Vec<Thing> = reading.view.selection.things().collect();
+            let things = reading.view.selection.items();
             let edits = group::put(scene, model, &things, &Destination::Existing(id)).edits;
             actions.push(Action::Change { name: "Assign to shading group", edits, live: false });
         }
