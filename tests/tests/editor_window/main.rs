@@ -14,6 +14,7 @@ mod on_disk;
 mod recovery;
 mod remembering;
 mod viewing;
+mod walk;
 
 use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Editor, FileDialogs, Item, Reply, Selection, Session, Start};
@@ -29,6 +30,7 @@ use std::cell::RefCell;
 use std::collections::VecDeque;
 use std::rc::Rc;
 use std::sync::mpsc::Sender;
+use std::time::Duration;
 
 /// Answers to file dialogs, first one first; and what was asked.
 #[derive(Default, Clone)]
@@ -86,6 +88,18 @@ impl Window {
         self.harness.run_steps(2);
     }
 
+    /// A frame now and then until `done`.
+    fn wait(&mut self, what: &str, done: impl Fn(&Self) -> bool) {
+        for _ in 0..12_000 {
+            if done(self) {
+                return;
+            }
+            std::thread::sleep(Duration::from_millis(5));
+            self.harness.step();
+        }
+        panic!("{what}: in vain");
+    }
+
     fn session(&self) -> &Session {
         self.harness.state().session()
     }
@@ -121,13 +135,6 @@ impl Window {
     /// A number's field.
     fn set(&mut self, label: &str, value: f64) {
         self.node(Role::SpinButton, label).set_value_accesskit(value);
-        self.settle();
-    }
-
-    /// As the command palette does it.
-    fn command(&mut self, command: Command) {
-        let context = self.harness.ctx.clone();
-        self.harness.state_mut().perform(command, &context);
         self.settle();
     }
 

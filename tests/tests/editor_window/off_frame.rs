@@ -1,32 +1,19 @@
 //! Slow work is never in the way, and an idle window does nothing.
 
 use crate::Window;
-use cloudwright::editor::Selection;
+use cloudwright::editor::Item;
 use cloudwright_core::derived::Derived;
 use egui::ViewportId;
 use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 use std::time::Duration;
 
-/// A frame now and then until `done`.
-fn wait(window: &mut Window, what: &str, done: impl Fn(&Window) -> bool) {
-    for _ in 0..12_000 {
-        if done(window) {
-            return;
-        }
-        std::thread::sleep(Duration::from_millis(5));
-        window.harness.step();
-    }
-    panic!("{what}: in vain");
-}
-
 /// With the box “body” selected, in a model that keeps nearly all its sprites: culling most is quick.
 fn with_dense_box() -> Window {
     let mut window = Window::open();
     window.settle();
     let model = window.scene().models[0].id;
-    window.harness.state_mut().select(Selection::Model(model));
-    window.settle();
+    window.select([Item::Model(model)]);
     window.set("Cull radius", 0.01);
     window.press("body");
     window
@@ -45,7 +32,7 @@ fn a_huge_cloud_arrives_later() {
     assert_eq!(window.undo_name().as_deref(), Some("Change box"));
     assert!(window.session().pending().is_some(), "the frame did not wait");
     assert_eq!(window.sprites(), sprites, "the last good cloud is shown");
-    wait(&mut window, "the cloud", |window| window.session().pending().is_none());
+    window.wait("the cloud", |window| window.session().pending().is_none());
     assert!(window.session().derived().clouds() == Derived::new(window.scene()).clouds());
     // The clouds were taken up at the end of a frame.
     window.harness.step();
@@ -58,7 +45,7 @@ fn what_takes_long_can_be_cancelled() {
     let (scene, sprites) = (window.scene().clone(), window.sprites());
     set_in_one_frame(&mut window, 1e6);
     assert!(window.harness.query_by_label("Progress").is_none(), "not before half a second");
-    wait(&mut window, "a bar", |window| window.harness.query_by_label("Progress").is_some());
+    window.wait("a bar", |window| window.harness.query_by_label("Progress").is_some());
     window.press("Cancel");
     assert_eq!((window.scene(), window.sprites()), (&scene, sprites));
     assert!(window.session().pending().is_none() && !window.shows("Progress"));
@@ -90,5 +77,5 @@ fn an_idle_window_does_nothing() {
         assert!(is_idle(&window), "frame {frame} of an idle window");
     }
     window.press("body");
-    wait(&mut window, "rest after a click", is_idle);
+    window.wait("rest after a click", is_idle);
 }
