@@ -46,7 +46,7 @@ fn a_broken_file_leaves_the_document_alone() {
         window.keys(Modifiers::COMMAND, Key::O);
         assert!(window.shows(words), "the problem is listed: {words}");
         assert_eq!((window.scene(), window.session().path()), (&scene, None));
-        window.press("Close");
+        window.press("OK");
         assert!(!window.shows(words));
     }
     window.press("body");

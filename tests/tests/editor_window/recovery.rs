@@ -131,7 +131,7 @@ fn broken_leftovers_are_told_about() {
         let start = window.scene().clone();
         window.press(button);
         assert!(window.shows("error at recovery"));
-        window.press("Close");
+        window.press("OK");
         assert_eq!(window.scene(), &start);
         assert_eq!(kept_count(home.path()), 1, "what can't be read is not thrown away");
     }

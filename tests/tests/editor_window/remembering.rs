@@ -147,7 +147,7 @@ fn a_scene_whose_atlas_is_gone_opens_all_the_same() {
     window.settle();
     window.drop_files(&[&path]);
     assert!(window.shows("error at atlas"));
-    window.press("Close");
+    window.press("OK");
     assert_eq!(window.scene().atlas.as_deref(), Some("gone.png"));
     window.press("Add camera");
     window.keys(Modifiers::COMMAND, Key::S);

@@ -64,10 +64,10 @@ impl Walk {
     /// A number typed into one of the fields that are shown.
     fn type_a_number(&mut self) {
         self.window.settle();
-        let count = self.window.harness.get_all_by_role(Role::SpinButton).count();
+        let count = self.window.harness.query_all_by_role(Role::SpinButton).count();
         let at = self.roll(count.max(1));
         let value = [0.0, 1.0, 0.3, -20.0, 77.0, 1e9][self.roll(6)];
-        if let Some(field) = self.window.harness.get_all_by_role(Role::SpinButton).nth(at) {
+        if let Some(field) = self.window.harness.query_all_by_role(Role::SpinButton).nth(at) {
             field.set_value_accesskit(value);
         }
         self.window.settle();

@@ -21,7 +21,7 @@ impl Trouble {
                     show_problem(ui, problem);
                 }
             });
-            buttons(ui, |ui| ui.button("Close").clicked().then_some(()))
+            buttons(ui, |ui| ui.button("OK").clicked().then_some(()))
         })
     }
 }
