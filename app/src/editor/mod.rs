@@ -210,8 +210,8 @@ impl Editor {
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
             panel::status(ui, &self.session, &self.viewport, &mut actions);
         });
-        let Self { session, view, viewport, layout, .. } = self;
-        let reading = Reading { session, view };
+        let Self { session, view, viewport, layout, thumbnails, .. } = self;
+        let reading = Reading { session, view, thumbnails };
         egui::CentralPanel::no_frame().show(ui, |ui| {
             layout.show(ui, |panel, ui| match panel {
                 Panel::Viewport => viewport.show(ui, &reading, &mut actions),

@@ -3,7 +3,6 @@
 use super::Reading;
 use super::fields::{Fields, fields, heading};
 use super::kept::{self, Kept};
-use super::model::category_name;
 use super::shading_groups::group_name;
 use crate::command::Command;
 use crate::editor::{Action, Item};
@@ -24,8 +23,6 @@ pub(super) fn fields_of(
     reading: &Reading<'_>,
     actions: &mut Vec<Action>,
 ) {
-    let mut categories = vec![(None, format!("the model's: {}", category_name(model.category)))];
-    categories.extend(Category::ALL.into_iter().map(|each| (Some(each), category_name(each))));
     let rows = |rows: &mut Fields<'_>, (_, edited): &mut ModelBox| {
         rows.text("Name", &mut edited.name);
         rows.vector("Centre", &p::POSITION, &mut edited.center);
@@ -35,7 +32,7 @@ pub(super) fn fields_of(
         rows.range("Width", &p::SPRITE_SIZE, &mut edited.width);
         rows.range("Height", &p::SPRITE_SIZE, &mut edited.height);
         rows.range("Rotation", &p::ROTATION_DEG, &mut edited.rotation_deg);
-        rows.choice("Category", "Which tiles its sprites show.", &mut edited.category, &categories);
+        rows.category_or(&mut edited.category, model.category, reading.thumbnails);
         let before = edited.key.unwrap_or(edited.id.0);
         let mut key = before;
         rows.seed("Key", "Another number strews this box's sprites anew, and no other's.", &mut key);

@@ -5,6 +5,7 @@
 //! names. Each value has a name, also for screen readers and tests: the label, and for parts of a vector or range the
 //! label and the part.
 
+mod category;
 pub(super) mod color;
 mod number;
 mod refusal;

@@ -30,8 +30,10 @@ pub(crate) use status::status;
 
 use crate::editor::{Action, Session, ViewState};
 use crate::theme::icon;
+use crate::thumbnail::Thumbnails;
 use egui::Ui;
 use serde::{Deserialize, Serialize};
+use std::cell::RefCell;
 
 /// A panel that can be docked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -62,6 +64,8 @@ pub(crate) struct Reading<'a> {
     pub(crate) session: &'a Session,
     /// How it is looked at.
     pub(crate) view: &'a ViewState,
+    /// Pictures of categories, drawn when they are asked for.
+    pub(crate) thumbnails: &'a RefCell<Thumbnails>,
 }
 
 impl Panel {

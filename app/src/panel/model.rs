@@ -19,7 +19,6 @@ enum CullKind {
 
 /// `models` has at least one, the one whose values are shown.
 pub(super) fn fields_of(ui: &mut Ui, models: &[CloudModel], reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    let categories: Vec<_> = Category::ALL.into_iter().map(|each| (each, category_name(each))).collect();
     fields(
         ui,
         "Change model",
@@ -27,7 +26,7 @@ pub(super) fn fields_of(ui: &mut Ui, models: &[CloudModel], reading: &Reading<'_
         models,
         |rows, model| {
             rows.text("Name", &mut model.name);
-            rows.choice("Category", "Which tiles its boxes show.", &mut model.category, &categories);
+            rows.category(&mut model.category, reading.thumbnails);
             cull(rows, &mut model.cull_radius);
             rows.seed("Seed", "Another number strews the sprites anew.", &mut model.seed);
         },

@@ -75,19 +75,22 @@ fn row(ui: &mut Ui, text: &str, item: Item, reading: &Reading<'_>, actions: &mut
                     actions.push(Action::View(ViewChange::Hidden(item, !hidden)));
                 }
             }
-            ui.with_layout(Layout::left_to_right(Align::Center).with_main_justify(true), |ui| {
-                let mut label = egui::RichText::new(text);
-                if hidden {
-                    label = label.weak();
-                }
-                let response = ui.add(Button::selectable(view.selection.contains(item), label));
-                if response.clicked() {
-                    let modifiers = ui.input(|input| input.modifiers);
-                    let how = if modifiers.command || modifiers.shift { Choose::Toggle } else { Choose::Only };
-                    actions.push(Action::Select { items: vec![item], through: None, how });
-                }
-                response
-            })
+            ui.with_layout(
+                Layout::left_to_right(Align::Center).with_main_justify(true).with_main_align(Align::Min),
+                |ui| {
+                    let mut label = egui::RichText::new(text);
+                    if hidden {
+                        label = label.weak();
+                    }
+                    let response = ui.add(Button::selectable(view.selection.contains(item), label));
+                    if response.clicked() {
+                        let modifiers = ui.input(|input| input.modifiers);
+                        let how = if modifiers.command || modifiers.shift { Choose::Toggle } else { Choose::Only };
+                        actions.push(Action::Select { items: vec![item], through: None, how });
+                    }
+                    response
+                },
+            )
             .inner
         },
     )

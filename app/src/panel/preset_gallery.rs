@@ -30,15 +30,15 @@ pub fn preset_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'stat
     })
 }
 
-/// All categories, `present` marked. The one that was chosen in this frame, if it is another.
-pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Category) -> Option<Category> {
+/// All categories, `present` marked. The one that was chosen in this frame.
+pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Option<Category>) -> Option<Category> {
     gallery(ui, |ui| {
         let mut chosen = None;
         for category in Category::ALL {
             let texture = thumbnails.texture(Subject::Category(category));
             let name = super::model::category_name(category);
-            let response = tile(ui, texture, theme::CATEGORY_PICTURE, &name, Some(category == present));
-            if response.on_hover_text(name).clicked() && category != present {
+            let response = tile(ui, texture, theme::CATEGORY_PICTURE, &name, Some(Some(category) == present));
+            if response.on_hover_text(name).clicked() {
                 chosen = Some(category);
             }
         }

@@ -32,6 +32,8 @@ pub(crate) const SEED_WIDTH: f32 = 96.0;
 pub(crate) const NAME_WIDTH: f32 = 108.0;
 /// Of the gallery of presets: three pictures side by side, points.
 pub(crate) const GALLERY_WIDTH: f32 = 620.0;
+/// Of the menu of categories: three pictures side by side, points.
+pub(crate) const CATEGORIES_WIDTH: f32 = 306.0;
 /// Of messages, points.
 pub(crate) const TOAST_WIDTH: f32 = 340.0;
 /// Between messages and the window's rim, points.

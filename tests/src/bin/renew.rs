@@ -1,6 +1,6 @@
-//! Makes the checked-in assets again: `renew atlas | scenes | presets | schema | pictures DIR`.
+//! Makes what is checked in again: `renew atlas | scenes | presets | schema | shortcuts | pictures DIR`.
 //!
-//! Run in the project's root. Tests say when atlas, scenes, presets or schema are stale.
+//! Run in the project's root. Tests say when one of them, pictures apart, is stale.
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
@@ -10,6 +10,7 @@ use cloudwright_core::raster::fast;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_tests::atlas;
 use cloudwright_tests::authoring::{self, NamedScene};
+use cloudwright_tests::with_shortcuts;
 use std::error::Error;
 use std::fs::{self, File};
 use std::path::Path;
@@ -23,9 +24,10 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["scenes"] => write_scenes("assets/scenes", authoring::SCENES),
         ["presets"] => write_scenes("assets/presets", authoring::PRESETS),
         ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
+        ["shortcuts"] => Ok(fs::write("README.md", with_shortcuts(&fs::read_to_string("README.md")?)?)?),
         ["pictures", folder] => pictures(folder.as_ref(), ""),
         ["pictures", folder, only] => pictures(folder.as_ref(), only),
-        _ => Err("usage: renew atlas | scenes | presets | schema | pictures DIR [SCENE]".into()),
+        _ => Err("usage: renew atlas | scenes | presets | schema | shortcuts | pictures DIR [SCENE]".into()),
     }
 }
 

@@ -4,7 +4,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::preset::{LevelPreset, Preset};
 use cloudwright_core::problem::{check, check_with_sprites};
-use cloudwright_tests::{atlas, authoring, root, scene_path};
+use cloudwright_tests::{atlas, authoring, root, scene_path, with_shortcuts};
 use std::fs;
 
 #[test]
@@ -12,6 +12,14 @@ fn schema_is_fresh() {
     let checked_in = fs::read_to_string(root().join("assets/scene.schema.json")).expect("the schema");
     let made = scene_file::json_schema().expect("types make a schema");
     assert!(checked_in == made, "stale: run `cargo run -p cloudwright-tests --bin renew -- schema`");
+}
+
+#[test]
+fn readme_has_the_command_tables_shortcuts() {
+    let readme = fs::read_to_string(root().join("README.md")).expect("the readme");
+    let made = with_shortcuts(&readme).expect("the marks are there");
+    assert!(readme == made, "stale: run `cargo run -p cloudwright-tests --bin renew -- shortcuts`");
+    assert!(readme.contains("| Ctrl+Shift+P |"), "the palette has its keys");
 }
 
 #[test]

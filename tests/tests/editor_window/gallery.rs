@@ -25,7 +25,7 @@ fn galleries() -> Harness<'static, Shown> {
             let thumbnails = shown.thumbnails.get_or_insert_with(|| Thumbnails::new(&context));
             shown.preset = preset_gallery(ui, thumbnails).or(shown.preset);
             ui.separator();
-            shown.category = category_gallery(ui, thumbnails, Category::Stratus).or(shown.category);
+            shown.category = category_gallery(ui, thumbnails, Some(Category::Stratus)).or(shown.category);
         },
         Shown::default(),
     )
