@@ -8,6 +8,7 @@ mod arranging;
 mod editing;
 mod files;
 mod groups;
+mod shots;
 mod viewing;
 
 use cloudwright::command::Command;
