@@ -54,7 +54,6 @@ pub(in crate::panel) fn number_field(
     }
     let response = ui.add_sized([theme::NUMBER_WIDTH, ui.spacing().interact_size.y], field);
     name_it(ui, &response, name);
-    let changed = response.changed();
     // Screen readers hand values over as they are.
     if !parameter.allows(*value) {
         refused.set(Some(*value));
@@ -63,10 +62,11 @@ pub(in crate::panel) fn number_field(
     if let Some(typed) = refused.get() {
         refusal::tell(ui, &response, format!("{typed} is outside {}", range_of(parameter)));
     }
-    if !refusal::show(ui, &response) {
+    let changed = response.changed() && *value != before;
+    if !refusal::show(ui, &response, changed) {
         describe(response, name, parameter);
     }
-    changed && *value != before
+    changed
 }
 
 /// A number as people type it, with its unit or without.

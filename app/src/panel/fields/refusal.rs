@@ -24,11 +24,11 @@ pub(super) fn tell(ui: &Ui, field: &Response, text: String) {
     ui.data_mut(|data| data.insert_temp(key(field), Refusal { text, until_s }));
 }
 
-/// Shows what the field says; whether there is something.
-pub(super) fn show(ui: &Ui, field: &Response) -> bool {
+/// Shows what the field says, until it takes another value; whether there is something.
+pub(super) fn show(ui: &Ui, field: &Response, took_another: bool) -> bool {
     let Some(refusal) = ui.data(|data| data.get_temp::<Refusal>(key(field))) else { return false };
     let left_s = refusal.until_s - ui.input(|input| input.time);
-    if left_s <= 0.0 || field.changed() {
+    if left_s <= 0.0 || took_another {
         ui.data_mut(|data| data.remove::<Refusal>(key(field)));
         return false;
     }

@@ -124,7 +124,7 @@ impl Plot {
         let parameter = &PARAMETERS[at];
         let middle = self.place(at as f32 * 0.5, share);
         let id = ui.scope_id().with(("dot", at));
-        let response = ui.interact(Rect::from_center_size(middle, vec2(18.0, 18.0)), id, Sense::click_and_drag());
+        let response = ui.interact(Rect::from_center_size(middle, vec2(18.0, 18.0)), id, Sense::drag());
         let moved = moved(ui, &response, share, self.share_per_point());
         let moved = moved.map(|share| share.clamp(parameter.min, parameter.max)).filter(|new| *new != share);
         describe(ui, &response, parameter, share);
@@ -144,7 +144,7 @@ impl Plot {
 
 /// Where pointer, keys or a screen reader put it.
 fn moved(ui: &Ui, dot: &Response, share: f64, share_per_point: f64) -> Option<f64> {
-    if dot.clicked() || dot.drag_started() {
+    if dot.drag_started() {
         dot.request_focus();
     }
     if dot.dragged() {
@@ -153,6 +153,7 @@ fn moved(ui: &Ui, dot: &Response, share: f64, share_per_point: f64) -> Option<f6
     }
     let arrows = EventFilter { vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(dot.id, arrows));
+    let has_focus = dot.has_focus();
     ui.input(|input| {
         for request in input.accesskit_action_requests(dot.id, Action::SetValue) {
             if let Some(ActionData::NumericValue(value)) = request.data
@@ -162,7 +163,7 @@ fn moved(ui: &Ui, dot: &Response, share: f64, share_per_point: f64) -> Option<f6
             }
         }
         let asked = |action| input.num_accesskit_action_requests(dot.id, action) as f64;
-        let pressed = |key| if dot.has_focus() && input.key_pressed(key) { 1.0 } else { 0.0 };
+        let pressed = |key| if has_focus && input.key_pressed(key) { 1.0 } else { 0.0 };
         let up = asked(Action::Increment) - asked(Action::Decrement) + pressed(Key::ArrowUp) - pressed(Key::ArrowDown);
         let step = if input.modifiers.shift { STEP * 0.2 } else { STEP };
         (up != 0.0).then(|| ((share + up * step) * 1e4).round() / 1e4)

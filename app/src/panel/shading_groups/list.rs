@@ -130,12 +130,12 @@ impl Row<'_> {
         let total: usize = self.counts().sum();
         let crowd = self.counts().max().unwrap_or(0);
         let label = ui.label(RichText::new(total.to_string()).weak());
-        name_it(ui, &label, &format!("{total} sprites of {}", self.name));
+        say(ui, &label, &format!("{total} sprites of {}", self.name));
         if crowd > MOST_SPRITES {
             let mark = RichText::new(icon::WARNING).color(theme::warning(ui));
             let sign = ui.add(Label::new(mark).sense(Sense::hover()));
             let text = format!("{crowd} sprites in one lump of {}: above {MOST_SPRITES} they look flat", self.name);
-            name_it(ui, &sign, &text);
+            say(ui, &sign, &text);
             sign.on_hover_text(text);
         }
     }
@@ -153,6 +153,11 @@ impl Row<'_> {
             actions.push(Action::Change { name: "Assign to shading group", edits, live: false });
         }
     }
+}
+
+/// What screen readers say instead of a text that explains itself by its place only.
+fn say(ui: &Ui, label: &Response, text: &str) {
+    ui.ctx().accesskit_node_builder(label.id, |node| node.set_value(text));
 }
 
 fn quiet(ui: &mut Ui, glyph: &str, name: &str, enabled: bool) -> Response {
