@@ -3,12 +3,24 @@
 //! Clouds and sprites outside the view are left out; the rest is sorted by the distance of its centre to the eye
 //! *point*. That key does not change when the head turns, but it is approximate: quads that face the eye cross one
 //! another (the truth, [`crate::raster::truth`], orders each ray's own fragments). Ties go by cloud and sprite index,
-//! so the order is total whatever the input.
+//! so the order is total whatever the input. What the artist hid ([`Hidden`]) is left out like what is out of view; it
+//! keeps its place in culling, shading and the cloud's height, so hiding changes nothing about what stays.
 
 use crate::camera::View;
+use crate::scene::{BoxId, CloudId};
 use crate::sprites::PlacedCloud;
 use glam::Vec3;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
+
+/// What is not to be drawn, though it is in the scene: the view's affair, never saved.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub struct Hidden {
+    /// Whole clouds.
+    pub clouds: BTreeSet<CloudId>,
+    /// The sprites of these boxes, in every cloud of their model.
+    pub boxes: BTreeSet<BoxId>,
+}
 
 /// A sprite to draw.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,20 +43,25 @@ pub struct DrawList {
 impl DrawList {
     /// Chooses and sorts what `view` sees of `clouds`.
     pub fn new(clouds: &[PlacedCloud], view: &View) -> Self {
+        Self::hiding(clouds, view, &Hidden::default())
+    }
+
+    /// As [`DrawList::new`], without what is `hidden`.
+    pub fn hiding(clouds: &[PlacedCloud], view: &View, hidden: &Hidden) -> Self {
+        // Asked once, so that sprites are looked up only while boxes are hidden.
+        let some_boxes = !hidden.boxes.is_empty();
         let mut sprites: Vec<DrawSprite> = clouds
             .par_iter()
             .enumerate()
             .flat_map_iter(|(cloud_index, cloud)| {
                 let offset = eye_offset(cloud, view);
-                let seen = view.sees_sphere(offset + cloud.center, cloud.reach);
+                let seen = view.sees_sphere(offset + cloud.center, cloud.reach) && !hidden.clouds.contains(&cloud.id);
                 let of_cloud: &[_] = if seen { &cloud.sprites } else { &[] };
                 of_cloud.iter().enumerate().filter_map(move |(index, sprite)| {
                     let center = offset + sprite.position;
-                    view.sees_sphere(center, sprite.reach()).then_some(DrawSprite {
-                        cloud: cloud_index as u32,
-                        sprite: index as u32,
-                        center,
-                    })
+                    let shows = view.sees_sphere(center, sprite.reach())
+                        && !(some_boxes && hidden.boxes.contains(&sprite.box_id));
+                    shows.then_some(DrawSprite { cloud: cloud_index as u32, sprite: index as u32, center })
                 })
             })
             .collect();

@@ -3,7 +3,7 @@
 use crate::camera::View;
 use crate::color::Rgb;
 use crate::derived::Derived;
-use crate::draw_list::DrawList;
+use crate::draw_list::{DrawList, Hidden};
 use crate::scene::{Camera, Scene};
 use crate::shading::Light;
 use crate::sky::{Background, Dome, GroundLook};
@@ -42,6 +42,19 @@ impl<'a> Frame<'a> {
         time_h: f64,
         size: [u32; 2],
     ) -> Self {
+        Self::hiding(scene, derived, atlas, camera, time_h, size, &Hidden::default())
+    }
+
+    /// As [`Frame::new`], without what is `hidden`.
+    pub fn hiding(
+        scene: &Scene,
+        derived: &'a Derived,
+        atlas: &'a Atlas,
+        camera: &Camera,
+        time_h: f64,
+        size: [u32; 2],
+        hidden: &Hidden,
+    ) -> Self {
         let clouds = derived.clouds();
         let view = View::new(camera, size[0], size[1]);
         let light = Light::at(scene, time_h);
@@ -50,7 +63,7 @@ impl<'a> Frame<'a> {
             light,
             background: background(scene, &view, &light),
             exposure: libm::exp2(scene.sky.exposure_ev) as f32,
-            list: DrawList::new(clouds, &view),
+            list: DrawList::hiding(clouds, &view, hidden),
             clouds,
             clouds_version: derived.version(),
             atlas,

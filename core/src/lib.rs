@@ -8,6 +8,7 @@
 //! [Sprite] + View + Light ─draw_list→ order ─facing, shading→ pixels   camera clock
 //! ```
 
+pub mod arrange;
 pub mod camera;
 pub mod color;
 pub mod derived;
@@ -18,6 +19,7 @@ pub mod formats;
 pub mod frame;
 pub mod image;
 pub mod math;
+pub mod measure;
 pub mod parameter;
 pub mod problem;
 pub mod random;

@@ -2,7 +2,8 @@
 
 use super::{Change, EditError};
 use crate::scene::{
-    Camera, Cloud, CloudBox, CloudModel, Ground, HasId, IdCounter, ModelId, Place, Scene, ShadingGroup, Sky, Sun,
+    BoxId, Camera, CameraId, Cloud, CloudBox, CloudId, CloudModel, Ground, GroupId, HasId, IdCounter, ModelId, Place,
+    Scene, ShadingGroup, Sky, Sun,
 };
 
 /// A named value that changes a scene.
@@ -116,17 +117,43 @@ impl Edit {
         .into()
     }
 
-    /// Whether both replace the same part of the scene.
-    pub(super) fn replaces_same(&self, other: &Self) -> bool {
-        match (self, other) {
-            (Self::Camera(a), Self::Camera(b)) => a.replaces_same(b),
-            (Self::Model(a), Self::Model(b)) => a.replaces_same(b),
-            (Self::Box(m, a), Self::Box(n, b)) => m == n && a.replaces_same(b),
-            (Self::Group(m, a), Self::Group(n, b)) => m == n && a.replaces_same(b),
-            (Self::Cloud(a), Self::Cloud(b)) => a.replaces_same(b),
-            _ => std::mem::discriminant(self) == std::mem::discriminant(other),
-        }
+    /// The part of the scene that it gives another value; none if it adds to a list or takes from one.
+    pub(super) fn replaces(&self) -> Option<Part> {
+        Some(match self {
+            Self::Name(_) => Part::Name,
+            Self::NextId(_) => Part::NextId,
+            Self::TimeOfDay(_) => Part::TimeOfDay,
+            Self::Place(_) => Part::Place,
+            Self::Sun(_) => Part::Sun,
+            Self::Sky(_) => Part::Sky,
+            Self::Ground(_) => Part::Ground,
+            Self::Atlas(_) => Part::Atlas,
+            Self::Camera(ListEdit::Replace(camera)) => Part::Camera(camera.id),
+            Self::Model(ListEdit::Replace(model)) => Part::Model(model.id),
+            Self::Box(model, ListEdit::Replace(cloud_box)) => Part::Box(*model, cloud_box.id),
+            Self::Group(model, ListEdit::Replace(group)) => Part::Group(*model, group.id),
+            Self::Cloud(ListEdit::Replace(cloud)) => Part::Cloud(cloud.id),
+            Self::Camera(_) | Self::Model(_) | Self::Box(..) | Self::Group(..) | Self::Cloud(_) => return None,
+        })
     }
+}
+
+/// A part of the scene that an edit may give another value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Part {
+    Name,
+    NextId,
+    TimeOfDay,
+    Place,
+    Sun,
+    Sky,
+    Ground,
+    Atlas,
+    Camera(CameraId),
+    Model(ModelId),
+    Box(ModelId, BoxId),
+    Group(ModelId, GroupId),
+    Cloud(CloudId),
 }
 
 fn model_mut(scene: &mut Scene, id: ModelId) -> Result<&mut CloudModel, EditError> {
@@ -163,9 +190,5 @@ impl<T: HasId> ListEdit<T> {
             }
             Self::Replace(value) => Self::Replace(std::mem::replace(&mut list[found.ok_or_else(missing)?], value)),
         })
-    }
-
-    fn replaces_same(&self, other: &Self) -> bool {
-        matches!((self, other), (Self::Replace(a), Self::Replace(b)) if a.id() == b.id())
     }
 }

@@ -6,12 +6,16 @@
 
 mod change;
 mod edit;
+mod history;
+mod transaction;
 
 pub use change::Change;
 pub use edit::{Edit, ListEdit};
+pub use history::History;
 
 use crate::problem::{self, Problem, Severity};
 use crate::scene::Scene;
+use transaction::{Transaction, UndoPoint};
 
 /// An open scene with its history.
 #[derive(Debug, Clone, Default)]
@@ -21,17 +25,9 @@ pub struct Document {
     done: Vec<UndoPoint>,
     /// Points that can be redone, next one last.
     undone: Vec<UndoPoint>,
-    open: Option<UndoPoint>,
+    open: Option<Transaction>,
     /// How many points were done when the scene was last saved; none if that state is out of reach.
     saved_at: Option<usize>,
-}
-
-/// What takes the scene across one step of its history.
-#[derive(Debug, Clone, PartialEq)]
-struct UndoPoint {
-    name: String,
-    /// Applied last to first.
-    inverses: Vec<Edit>,
 }
 
 /// Why a scene was not changed.
@@ -71,7 +67,7 @@ impl Document {
 
     /// Opens a transaction under the name that the history will show, or goes on with the one that is open.
     pub fn begin(&mut self, name: &str) {
-        self.open.get_or_insert_with(|| UndoPoint { name: name.into(), inverses: Vec::new() });
+        self.open.get_or_insert_with(|| Transaction::new(name.into()));
     }
 
     /// Whether a transaction is open.
@@ -86,11 +82,7 @@ impl Document {
     pub fn apply(&mut self, edit: Edit) -> Result<Change, EditError> {
         let change = edit.change();
         let inverse = edit.apply(&mut self.scene)?;
-        let open = self.open.get_or_insert_with(|| UndoPoint { name: inverse.name(), inverses: Vec::new() });
-        // While one value is dragged, the first inverse leads all the way back.
-        if !open.inverses.last().is_some_and(|last| last.replaces_same(&inverse)) {
-            open.inverses.push(inverse);
-        }
+        self.open.get_or_insert_with(|| Transaction::new(inverse.name())).push(inverse);
         Ok(change)
     }
 
@@ -99,21 +91,19 @@ impl Document {
     /// # Errors
     /// If it left faults in the scene that were not there before; it is then taken back.
     pub fn commit(&mut self) -> Result<(), EditError> {
-        let Some(mut point) = self.open.take() else { return Ok(()) };
-        let after = self.scene.clone();
-        let mut before = after.clone();
-        let _ = reverse(&mut before, &point);
-        if before == after {
+        let Some(point) = self.open.take().map(Transaction::into_point) else { return Ok(()) };
+        let mut before = self.scene.clone();
+        let _ = point.reverse(&mut before);
+        if before == self.scene {
             return Ok(());
         }
         let old = problem::check(&before);
-        let new: Vec<Problem> =
-            problem::check(&after).into_iter().filter(|p| p.severity == Severity::Error && !old.contains(p)).collect();
+        let mut new = problem::check(&self.scene);
+        new.retain(|p| p.severity == Severity::Error && !old.contains(p));
         if !new.is_empty() {
             self.scene = before;
             return Err(EditError::Problems(new));
         }
-        point.inverses.shrink_to_fit();
         if self.saved_at.is_some_and(|saved| saved > self.done.len()) {
             self.saved_at = None;
         }
@@ -125,7 +115,7 @@ impl Document {
     /// Takes the open transaction back. The change says what to recompute.
     pub fn cancel(&mut self) -> Change {
         match self.open.take() {
-            Some(point) => reverse(&mut self.scene, &point).1,
+            Some(open) => open.into_point().reverse(&mut self.scene).1,
             None => Change::default(),
         }
     }
@@ -158,7 +148,7 @@ impl Document {
             return Some(self.cancel());
         }
         let point = self.done.pop()?;
-        let (forward, change) = reverse(&mut self.scene, &point);
+        let (forward, change) = point.reverse(&mut self.scene);
         self.undone.push(forward);
         Some(change)
     }
@@ -169,7 +159,7 @@ impl Document {
             return None;
         }
         let point = self.undone.pop()?;
-        let (backward, change) = reverse(&mut self.scene, &point);
+        let (backward, change) = point.reverse(&mut self.scene);
         self.done.push(backward);
         Some(change)
     }
@@ -193,20 +183,6 @@ impl Document {
     pub fn is_modified(&self) -> bool {
         self.open.is_some() || self.saved_at != Some(self.done.len())
     }
-}
-
-/// Applies a point's edits last to first, and gives the point that leads back.
-fn reverse(scene: &mut Scene, point: &UndoPoint) -> (UndoPoint, Change) {
-    let mut change = Change::default();
-    let mut inverses = Vec::with_capacity(point.inverses.len());
-    for edit in point.inverses.iter().rev() {
-        change.join(edit.change());
-        // An inverse was made for exactly this state, so what it names is there.
-        if let Ok(inverse) = edit.clone().apply(scene) {
-            inverses.push(inverse);
-        }
-    }
-    (UndoPoint { name: point.name.clone(), inverses }, change)
 }
 
 #[cfg(test)]

@@ -12,6 +12,7 @@ mod no_cameras;
 mod numbers_out_of_range;
 mod reversed_ranges;
 mod too_many_sprites;
+mod unused_groups;
 
 pub use too_many_sprites::MAX_SPRITES_TRIED;
 
@@ -68,6 +69,7 @@ const CHECKS: &[fn(&Scene, &mut Vec<Problem>)] = &[
     duplicate_ids::check,
     missing_references::check,
     too_many_sprites::check,
+    unused_groups::check,
     no_cameras::check,
 ];
 
@@ -110,7 +112,7 @@ fn assert_found(scene: &Scene, place: &str, words: &str) {
 
 /// A scene with one model of one box, placed once: without problems.
 #[cfg(test)]
-fn sound_scene() -> Scene {
+pub(crate) fn sound_scene() -> Scene {
     use crate::scene::{BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, ModelId};
     let mut scene = Scene::default();
     let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "heap", Category::CumulusHumilis);

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct CloudBox {
-    /// Its id; part of the key of its sprites' random numbers.
+    /// Its id; part of the key of its sprites' random numbers unless it has a `key`.
     pub id: BoxId,
     /// For people.
     #[serde(default)]
@@ -44,6 +44,12 @@ pub struct CloudBox {
     /// The box's own group falls into this many lumps along the box's axes, each with a centre of its own.
     #[serde(default = "one_lump", skip_serializing_if = "is_one_lump")]
     pub lumps: [u32; 3],
+    /// Stands for the id in the key of its sprites' random numbers: copies look alike, another number rolls it anew.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub key: Option<u64>,
+    /// Stands for the cloud's seed: what was joined from another cloud keeps its looks.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub seed: Option<u64>,
     /// What the artist changed by hand about single sprites.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub sprite_edits: Vec<SpriteEdit>,
@@ -80,6 +86,11 @@ fn is_one_lump(lumps: &[u32; 3]) -> bool {
 }
 
 impl CloudBox {
+    /// What its sprites' random numbers are keyed by, besides their index: seed and key.
+    pub fn random_key(&self, cloud_seed: u64) -> (u64, u64) {
+        (self.seed.unwrap_or(cloud_seed), self.key.unwrap_or(self.id.0))
+    }
+
     /// A box of 500 m with 30 square sprites of 150 to 250 m.
     pub fn new(id: BoxId, center: DVec3) -> Self {
         Self {
@@ -96,6 +107,8 @@ impl CloudBox {
             group: None,
             light: GroupLight::default(),
             lumps: one_lump(),
+            key: None,
+            seed: None,
             sprite_edits: Vec::new(),
         }
     }

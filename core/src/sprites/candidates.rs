@@ -52,8 +52,9 @@ pub fn candidates(model: &CloudModel, seed: u64) -> Vec<Candidate> {
 }
 
 fn candidate(cloud_box: &CloudBox, seed: u64, index: u32, weights: &[u32; 16], edit: Option<&SpriteEdit>) -> Candidate {
-    let [x, y, z, size] = draw(seed, cloud_box.id.0, index, 0);
-    let [turn, tile, _, _] = draw(seed, cloud_box.id.0, index, 1);
+    let (seed, key) = cloud_box.random_key(seed);
+    let [x, y, z, size] = draw(seed, key, index, 0);
+    let [turn, tile, _, _] = draw(seed, key, index, 1);
     let moved = edit.and_then(|e| e.moved);
     let in_box = moved.unwrap_or(DVec3::new(unit(x) - 0.5, unit(y) - 0.5, unit(z) - 0.5));
     let within = |range: [f64; 2], bits: u32| range[0] + (range[1] - range[0]) * unit(bits);

@@ -13,6 +13,7 @@ pub use atlas::{Atlas, AtlasError, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
 pub(crate) use atlas::{FootprintTable, LEVEL_START, TABLE};
 pub use candidates::{Candidate, candidates, cull_radii};
 pub use cull::{cull, cull_slow};
+pub(crate) use place::heading_turn;
 pub use place::{Group, GroupKey, PlacedCloud, Sprite, place};
 
 use crate::scene::CloudModel;

@@ -187,7 +187,7 @@ fn middle(candidates: &[Candidate]) -> DVec3 {
 }
 
 /// Clockwise from north as seen from above is a negative turn about +y.
-fn heading_turn(heading_deg: f64) -> DQuat {
+pub(crate) fn heading_turn(heading_deg: f64) -> DQuat {
     let half = -heading_deg.to_radians() * 0.5;
     DQuat::from_xyzw(0.0, libm::sin(half), 0.0, libm::cos(half))
 }

@@ -1,0 +1,121 @@
+//! Any mix of things out of the scene, with what hangs on them.
+//!
+//! A model takes its clouds along; a group sets free the boxes and sprites that were in it; a sprite is dropped by
+//! hand, so that it stays away when others are strewn. A model whose last cloud goes stays: it can be placed again.
+
+use super::copy::groups_of;
+use super::sprites::change_edits;
+use super::{Arrangement, Plan, Thing};
+use crate::document::{Edit, ListEdit};
+use crate::scene::{CloudModel, Scene};
+use std::collections::BTreeSet;
+
+/// Takes `things` out.
+pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
+    let doomed: BTreeSet<Thing> = things.iter().copied().collect();
+    let mut plan = Plan::new(scene);
+    for cloud in &scene.clouds {
+        if doomed.contains(&Thing::Cloud(cloud.id)) || doomed.contains(&Thing::Model(cloud.model)) {
+            plan.edits.push(Edit::Cloud(ListEdit::Remove(cloud.id)));
+        }
+    }
+    for model in &scene.models {
+        if doomed.contains(&Thing::Model(model.id)) {
+            plan.edits.push(Edit::Model(ListEdit::Remove(model.id)));
+        } else {
+            from_model(&mut plan, model, &doomed);
+        }
+    }
+    for camera in &scene.cameras {
+        if doomed.contains(&Thing::Camera(camera.id)) {
+            plan.edits.push(Edit::Camera(ListEdit::Remove(camera.id)));
+        }
+    }
+    plan.done()
+}
+
+fn from_model(plan: &mut Plan<'_>, model: &CloudModel, doomed: &BTreeSet<Thing>) {
+    for old in &model.boxes {
+        if doomed.contains(&Thing::Box(model.id, old.id)) {
+            plan.edits.push(Edit::Box(model.id, ListEdit::Remove(old.id)));
+            continue;
+        }
+        let mut new = old.clone();
+        for group in groups_of(&mut new) {
+            *group = group.filter(|id| !doomed.contains(&Thing::Group(model.id, *id)));
+        }
+        let sprites = Thing::Sprite(model.id, old.id, 0)..=Thing::Sprite(model.id, old.id, u32::MAX);
+        change_edits(&mut new, |edits| {
+            for thing in doomed.range(sprites) {
+                if let Thing::Sprite(_, _, index) = *thing
+                    && index < old.sprite_count
+                {
+                    edits.of(index).dropped = true;
+                }
+            }
+        });
+        // The order of edits is no change.
+        if new.group != old.group
+            || new.sprite_edits.len() != old.sprite_edits.len()
+            || new.sprite_edits.iter().any(|edit| !old.sprite_edits.contains(edit))
+        {
+            plan.replace_box(model.id, new);
+        }
+    }
+    for group in &model.groups {
+        if doomed.contains(&Thing::Group(model.id, group.id)) {
+            plan.edits.push(Edit::Group(model.id, ListEdit::Remove(group.id)));
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::test_scenes::{applied, two_clouds};
+    use super::*;
+    use crate::scene::{ModelId, SpriteEdit};
+
+    #[test]
+    fn any_mix_goes_and_nothing_points_at_it() {
+        let mut scene = two_clouds();
+        let mut camera = scene.cameras[0].clone();
+        camera.id = crate::scene::CameraId::new(&mut scene.next_id);
+        camera.name = "second".into();
+        scene.cameras.push(camera);
+        let (first, second) = (scene.models[0].id, scene.models[1].id);
+        let (group, boxes) = (scene.models[1].groups[0].id, scene.models[1].boxes.clone());
+        let edit = |index| SpriteEdit { index, moved: None, dropped: false, group: Some(group) };
+        scene.models[1].boxes[0].sprite_edits = vec![edit(5), edit(2)];
+        let doomed = [
+            Thing::Model(first),
+            Thing::Box(second, boxes[1].id),
+            Thing::Group(second, group),
+            Thing::Sprite(second, boxes[0].id, 5),
+            Thing::Sprite(second, boxes[2].id, 99_999),
+            Thing::Camera(scene.cameras[0].id),
+            Thing::Model(ModelId(9999)),
+        ];
+        let after = applied(&scene, &things(&scene, &doomed));
+        assert_eq!(after.models.len(), 1);
+        assert_eq!(after.clouds, scene.clouds[1..]);
+        assert_eq!(after.cameras, scene.cameras[1..]);
+        let model = &after.models[0];
+        assert_eq!((model.groups.len(), model.boxes.len()), (0, 2));
+        let dropped = SpriteEdit { index: 5, moved: None, dropped: true, group: None };
+        assert_eq!(model.boxes[0].sprite_edits, [dropped]);
+        assert_eq!((model.boxes[1].group, model.boxes[1].sprite_edits.len()), (None, 0));
+    }
+
+    #[test]
+    fn a_cloud_leaves_its_model_and_what_is_gone_is_passed_over() {
+        let mut scene = two_clouds();
+        // In no order: still no change.
+        let edit = |index| SpriteEdit { index, moved: None, dropped: true, group: None };
+        scene.models[1].boxes[0].sprite_edits = vec![edit(5), edit(2)];
+        let after = applied(&scene, &things(&scene, &[Thing::Cloud(scene.clouds[0].id)]));
+        assert_eq!((after.models, after.clouds.len()), (scene.models.clone(), 1));
+        assert_eq!(things(&scene, &[Thing::Model(ModelId(9999))]), Arrangement::default());
+        let sprite = Thing::Sprite(scene.models[1].id, scene.models[1].boxes[0].id, 5);
+        assert_eq!(things(&scene, &[sprite]), Arrangement::default(), "it is dropped already");
+    }
+}
