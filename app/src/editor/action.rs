@@ -19,6 +19,8 @@ pub(crate) enum Action {
         /// Whether the button is still down.
         live: bool,
     },
+    /// Take the open gesture back.
+    DropGesture,
     /// Choose something.
     Select {
         /// What.

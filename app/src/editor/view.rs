@@ -1,6 +1,7 @@
 //! How the scene is looked at and worked on: selection, tool, what is hidden. Never saved, never undone.
 
 use super::selection::{Item, Selection, is_in};
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::scene::{Cloud, Scene};
 use std::collections::BTreeSet;
 
@@ -103,6 +104,16 @@ impl ViewState {
         !self.hidden.contains(&item)
             && !self.hidden.contains(&Item::Model(cloud.model))
             && (self.solo.is_empty() || self.solo.contains(&item))
+    }
+
+    /// What the renderers leave out.
+    pub(crate) fn hidden_in(&self, scene: &Scene) -> Hidden {
+        if self.hidden.is_empty() && self.solo.is_empty() {
+            return Hidden::default();
+        }
+        let clouds = scene.clouds.iter().filter(|cloud| !self.shows(cloud));
+        let boxes = self.hidden.iter().filter_map(|item| if let Item::Box(_, id) = item { Some(*id) } else { None });
+        Hidden { clouds: clouds.map(|cloud| cloud.id).collect(), boxes: boxes.collect() }
     }
 
     /// Whether the pointer may pick `cloud`.

@@ -19,6 +19,7 @@ mod sky;
 mod status;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
+pub(crate) use fields::{name_it, number_field};
 pub(crate) use palette::Palette;
 pub(crate) use status::status;
 

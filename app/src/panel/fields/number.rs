@@ -23,13 +23,7 @@ impl Values<'_> {
 }
 
 /// A field to drag or type in, within the parameter's range. Whether it was changed.
-pub(in crate::panel) fn number_field(
-    ui: &mut Ui,
-    name: &str,
-    parameter: &Parameter,
-    value: &mut f64,
-    whole: bool,
-) -> bool {
+pub(crate) fn number_field(ui: &mut Ui, name: &str, parameter: &Parameter, value: &mut f64, whole: bool) -> bool {
     let before = *value;
     let mut field = DragValue::new(value)
         .range(parameter.min..=parameter.max)

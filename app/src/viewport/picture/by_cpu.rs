@@ -5,6 +5,7 @@ use crate::opening::{self, SceneAtlas};
 use crate::renderer::{RenderError, Renderer};
 use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::scene::{Camera, Scene};
@@ -19,6 +20,7 @@ struct Request {
     atlas: SceneAtlas,
     camera: Camera,
     size: [u32; 2],
+    hidden: Hidden,
 }
 
 struct Answer {
@@ -55,10 +57,10 @@ impl ByCpu {
         self.time
     }
 
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2]) {
+    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], hidden: &Hidden) {
         if let Some(worker) = &self.worker {
             let (scene, derived, atlas) = session.to_draw();
-            worker.ask(Request { scene, derived, atlas, camera: camera.clone(), size });
+            worker.ask(Request { scene, derived, atlas, camera: camera.clone(), size, hidden: hidden.clone() });
         }
     }
 
@@ -84,7 +86,7 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, atlas, camera, size } = request;
-    let frame = Frame::new(scene, derived, opening::sheet(atlas), camera, scene.time_of_day_h, *size);
+    let Request { scene, derived, atlas, camera, size, hidden } = request;
+    let frame = Frame::hiding(scene, derived, opening::sheet(atlas), camera, scene.time_of_day_h, *size, hidden);
     Answer { picture: Renderer::Cpu.picture(&frame, 1), time: begun.elapsed() }
 }
