@@ -6,6 +6,7 @@
 
 mod editing;
 mod files;
+mod tools;
 mod viewing;
 
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session, Start};
