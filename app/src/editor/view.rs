@@ -131,3 +131,29 @@ impl ViewState {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::starter_scene;
+
+    #[test]
+    fn what_is_hidden_is_not_drawn() {
+        let mut scene = starter_scene();
+        let mut other = scene.clouds[0].clone();
+        other.id = cloudwright_core::scene::CloudId::new(&mut scene.next_id);
+        scene.clouds.push(other);
+        let [one, two] = [0, 1].map(|i| scene.clouds[i].id);
+        let mut view = ViewState::default();
+        assert_eq!(view.hidden_in(&scene), Hidden::default());
+        let (model, box_id) = (scene.models[0].id, scene.models[0].boxes[1].id);
+        view.hidden.extend([Item::Cloud(two), Item::Box(model, box_id)]);
+        let hidden = view.hidden_in(&scene);
+        assert_eq!((hidden.clouds, hidden.boxes), ([two].into(), [box_id].into()));
+        view.hidden = [Item::Model(model)].into();
+        assert_eq!(view.hidden_in(&scene).clouds, [one, two].into(), "a model hides all its clouds");
+        view.hidden.clear();
+        view.solo.insert(Item::Cloud(two));
+        assert_eq!(view.hidden_in(&scene).clouds, [one].into());
+    }
+}

@@ -39,7 +39,9 @@ pub(crate) const FAR_EDGE: f32 = 0.4;
 /// A sprite that is marked.
 pub(crate) const SPRITE_MARK: Color32 = Color32::from_rgb(120, 214, 255);
 /// Of a tint's opacity: a sprite's quad in the group view.
-pub(crate) const GROUP_FILL: f32 = 0.28;
+pub(crate) const GROUP_FILL: f32 = 0.18;
+/// Of a mark's opacity: a sprite's outline.
+pub(crate) const SPRITE_OUTLINE: f32 = 0.55;
 /// The plane that the box tool draws on.
 pub(crate) const GRID: Stroke = Stroke { width: 1.0, color: Color32::from_rgba_premultiplied(120, 132, 148, 150) };
 /// What a marquee covers.

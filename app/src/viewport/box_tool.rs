@@ -10,7 +10,8 @@ use super::marquee::LEAST_DRAG;
 use super::overlay;
 use super::plane;
 use super::screen::Screen;
-use crate::editor::{Action, Choose, Item};
+use super::wireframe;
+use crate::editor::{Action, Choose, Item, box_of};
 use crate::panel::Reading;
 use drawn::{Drawn, Made, Target};
 use egui::{Key, Modifiers, Painter, Pos2, Response, Ui, vec2};
@@ -121,6 +122,13 @@ impl BoxTool {
             overlay::label(painter, at + vec2(16.0, 16.0), "The base altitude is out of sight here");
             return;
         };
+        let made = drawn.and_then(|drawn| drawn.made);
+        let scene = reading.session.scene();
+        if let Some((cloud, each)) =
+            made.and_then(|made| scene.cloud(made.cloud).zip(box_of(scene, made.model, made.id)))
+        {
+            wireframe::paint_selected(painter, screen, cloud, each);
+        }
         let space = drawn.map_or_else(|| Target::of(reading).space(), |drawn| drawn.target.space());
         plane::paint_patch(painter, screen, &space, point, hands.snap_m.unwrap_or(0.0));
         let text = match drawn {
@@ -197,13 +205,11 @@ fn pulled_m(screen: &Screen, corner: DVec3, from: Pos2, to: Pos2) -> f64 {
 }
 
 fn hands(ui: &Ui, response: &Response, reading: &Reading<'_>) -> Hands {
-    let may_type = ui.memory(|memory| {
-        let free = memory.focused().is_none_or(|id| id == response.id);
-        free && memory.top_modal_layer().is_none()
-    });
+    let (focused, dialog) = ui.memory(|memory| (memory.focused(), memory.top_modal_layer().is_some()));
+    let may_type = !dialog && focused.is_none_or(|id| id == response.id);
     let snap = reading.view.snap;
     ui.input_mut(|input| Hands {
-        at: input.pointer.latest_pos(),
+        at: input.pointer.latest_pos().filter(|_| !dialog),
         pressed: response.contains_pointer() && input.pointer.primary_pressed() && !input.modifiers.alt,
         down: input.pointer.primary_down(),
         enter: may_type && input.consume_key(Modifiers::NONE, Key::Enter),

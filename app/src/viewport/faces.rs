@@ -74,7 +74,8 @@ struct Held {
 }
 
 impl Faces {
-    /// Shows the handles where exactly one box is selected that may be changed, and asks for what the hand does.
+    /// Shows the handles where exactly one box is selected that may be changed, and asks for what the hand does. A click
+    /// on a handle is meant for what lies there: its place.
     pub(super) fn show(
         &mut self,
         ui: &Ui,
@@ -82,17 +83,18 @@ impl Faces {
         screen: &Screen,
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
-    ) {
+    ) -> Option<Pos2> {
         if ui.input(|input| !input.pointer.primary_down() || input.key_pressed(Key::Escape)) {
             self.held = None;
         }
-        let Some((space, model, each)) = the_box(reading) else { return };
+        let (space, model, each) = the_box(reading)?;
+        let mut clicked = None;
         let centers =
             Face::all().map(|face| (face, screen.project(screen.from_eye(face.center_in_world(&space, each)))));
         let centers: Vec<(Face, Pos2)> = centers.filter_map(|(face, at)| Some((face, at?))).collect();
         let around = Rect::from_points(&centers.iter().map(|(_, at)| *at).collect::<Vec<_>>());
         if around.size().max_elem() < LEAST_BOX && self.held.is_none() {
-            return;
+            return None;
         }
         for (face, at) in centers.into_iter().filter(|(_, at)| screen.rect.contains(*at)) {
             let id = Id::unique(("box face", face.axis, face.side < 0.0));
@@ -107,9 +109,13 @@ impl Faces {
             {
                 actions.extend(held.drag(to, snap_m(ui, reading), screen));
             }
+            if response.clicked() {
+                clicked = response.interact_pointer_pos();
+            }
             actions.extend(by_keys(ui, &response, face, model, each, &space, reading));
             paint(painter, at, &response);
         }
+        clicked
     }
 }
 

@@ -66,10 +66,12 @@ impl GizmoHands {
         let Some(targets) = self.held.as_ref().map(|held| &held.targets).or(idle.as_ref()) else { return was_held };
         let Some(modes) = modes(tool, targets) else { return was_held };
         let snap = reading.view.snap;
+        let snaps = snap.on != modifiers.command;
+        let snap_angle = snaps.then_some(snap.angle_deg.to_radians()).filter(|step| *step > 0.0);
         self.gizmo.update_config(GizmoConfig {
             modes,
             orientation: orientation(targets),
-            snapping: snap.on != modifiers.command,
+            snapping: snaps,
             snap_angle: snap.angle_deg.to_radians() as f32,
             snap_distance: snap.step_m as f32,
             snap_scale: snap.scale as f32,
@@ -95,7 +97,7 @@ impl GizmoHands {
                 self.held = Some(Held { tool, targets, changed: false });
             }
             if let Some(held) = &mut self.held {
-                held.follow(act(result, turn), reading, actions);
+                held.follow(act(result, turn, snap_angle), reading, actions);
             }
         }
         painter.add(Shape::mesh(mesh(&self.gizmo)));
@@ -129,13 +131,15 @@ impl Held {
 }
 
 /// What the hand has done since the button went down, in the world. `turn` is of the gizmo's axes.
-fn act(result: GizmoResult, turn: DQuat) -> Act {
+fn act(result: GizmoResult, turn: DQuat, snap_angle: Option<f64>) -> Act {
     let vector = |v: mint::Vector3<f64>| DVec3::new(v.x, v.y, v.z);
     match result {
         GizmoResult::Translation { total, .. } => Act::Move(turn * vector(total)),
         // The crate counts turns as they look on the screen.
         GizmoResult::Rotation { axis, total, is_view_axis, .. } => {
             let axis = if is_view_axis { vector(axis) } else { turn * vector(axis) };
+            // It snaps to steps in f32.
+            let total = snap_angle.map_or(total, |step| (total / step).round() * step);
             Act::Turn(axis.normalize_or(DVec3::Y), -total)
         }
         GizmoResult::Scale { total } => Act::Stretch(vector(total)),

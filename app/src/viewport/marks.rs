@@ -144,7 +144,7 @@ fn mark(mesh: &mut Mesh, screen: &Screen, center: Vec3, sprite: &Sprite, color: 
             fill(mesh, quad, color.gamma_multiply(theme::GROUP_FILL));
         }
         if outlines {
-            ring(mesh, quad, 1.2, color.gamma_multiply(0.8));
+            ring(mesh, quad, 1.2, color.gamma_multiply(theme::SPRITE_OUTLINE));
         }
     }
     if view.sprite_marks == SpriteMarks::Dots {

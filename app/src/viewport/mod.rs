@@ -148,7 +148,7 @@ impl Viewport {
 
     fn paint_picture(&mut self, ui: &Ui, response: &Response, painter: &Painter, reading: &Reading<'_>) {
         let session = reading.session;
-        let quick = response.dragged() || session.document().is_open();
+        let quick = (response.dragged() && !self.marquee.is_on()) || session.document().is_open();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round();
         let size = [pixels.x as u32, pixels.y as u32];
         let hidden = reading.view.hidden_in(session.scene());
@@ -183,7 +183,7 @@ impl Viewport {
             return;
         }
         self.box_tool.leave();
-        self.faces.show(ui, painter, screen, reading, actions);
+        let on_face = self.faces.show(ui, painter, screen, reading, actions);
         let gizmo_has_pointer = self.gizmo.show(ui, response, painter, screen, reading, actions);
         let (modifiers, pressed) = ui.input(|input| (input.modifiers, input.pointer.primary_pressed()));
         if pressed
@@ -195,10 +195,10 @@ impl Viewport {
             self.marquee.begin(at);
         }
         self.marquee.show(ui, painter, screen, reading, actions);
-        if response.clicked()
+        let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
+        if let Some(at) = clicked.or(on_face)
             && !gizmo_has_pointer
             && !modifiers.alt
-            && let Some(at) = response.interact_pointer_pos()
         {
             self.click(at, marquee::how(modifiers, Choose::Toggle), screen, reading, actions);
         }

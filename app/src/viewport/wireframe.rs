@@ -42,6 +42,12 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, scene: &Scene, state: &V
     }
 }
 
+/// Paints a box as a selected one.
+pub(super) fn paint_selected(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox) {
+    outline(painter, screen, cloud, each, theme::casing(theme::SELECTED_BOX));
+    outline(painter, screen, cloud, each, theme::SELECTED_BOX);
+}
+
 /// What a box's tint is chosen by: its shading group.
 fn tint_key(each: &CloudBox) -> u64 {
     each.group.map_or(each.id.0, |group| group.0)

@@ -171,7 +171,7 @@ fn filled(id: BoxId, center: DVec3, size_m: DVec3, scale: f64) -> CloudBox {
     new.size = size_m / scale;
     // What is flat or long is filled by more sprites of the size that a cube of its volume would have.
     let cube_m = (size_m.x * size_m.y * size_m.z).cbrt();
-    let spread = (size_m.x * size_m.z / (cube_m * cube_m)).max(1.0);
+    let spread: f64 = size_m.to_array().into_iter().map(|side| (side / cube_m).max(1.0)).product();
     new.sprite_count = (SPRITES[0] * spread).clamp(SPRITES[0], SPRITES[1]) as u32;
     let side = SPRITE_SHARE.map(|share| (cube_m * share / scale).clamp(SPRITE_SIZE.min, SPRITE_SIZE.max).round_to(0.1));
     (new.width, new.height) = (side, side);
