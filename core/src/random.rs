@@ -17,6 +17,13 @@ pub fn unit(bits: u32) -> f64 {
     (f64::from(bits) + 0.5) / 4_294_967_296.0
 }
 
+/// Another seed in place of `seed`, the same for everyone who rolls from there; of at most six digits, to be read and
+/// typed.
+pub fn another_seed(seed: u64) -> u64 {
+    let next = u64::from(draw(seed, 0, 0, 0)[0] % 1_000_000);
+    if next == seed { next + 1 } else { next }
+}
+
 fn halves(x: u64) -> [u32; 2] {
     [x as u32, (x >> 32) as u32]
 }

@@ -10,6 +10,7 @@ mod file_flow;
 mod files;
 mod layout;
 mod perform;
+mod place_many;
 mod selection;
 mod session;
 mod starter;
@@ -39,6 +40,7 @@ use eframe::egui_wgpu::RenderState;
 use file_flow::Intent;
 use files::Waiting;
 use layout::Layout;
+use place_many::PlaceMany;
 use std::path::PathBuf;
 use time_play::TimePlay;
 
@@ -49,6 +51,7 @@ pub struct Editor {
     viewport: Viewport,
     layout: Layout,
     palette: Option<Palette>,
+    place_many: Option<PlaceMany>,
     time_play: TimePlay,
     /// The camera that was looked through last by the key.
     last_camera: Option<CameraId>,
@@ -95,6 +98,7 @@ impl Editor {
             view: ViewState::default(),
             layout: Layout::default(),
             palette: None,
+            place_many: None,
             time_play: TimePlay::default(),
             last_camera: None,
             copied_levels: None,
@@ -157,6 +161,10 @@ impl Editor {
             return;
         }
         self.gesture_dropped = false;
+        // Many placements stay open until they are answered.
+        if self.place_many.is_some() {
+            return;
+        }
         if self.session.document().is_open()
             && let Err(error) = self.session.commit()
         {
@@ -214,7 +222,7 @@ impl eframe::App for Editor {
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
         let mut actions: Vec<Action> = Vec::new();
-        if !self.dialogs.is_open() && self.palette.is_none() {
+        if !self.dialogs.is_open() && self.palette.is_none() && self.place_many.is_none() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
         actions.extend(self.panels(ui));
@@ -222,6 +230,7 @@ impl eframe::App for Editor {
         self.end_gesture_on_release(&context);
         self.show_dialogs(&context);
         self.show_palette(&context);
+        self.show_place_many(&context);
         self.show_title(&context);
     }
 }

@@ -4,6 +4,7 @@
 //! shows. Boxes and sprites belong to models, which may be placed often: `through` is the placement in which the artist
 //! sees and moves them.
 
+use cloudwright_core::arrange::Thing;
 use cloudwright_core::scene::{
     BoxId, Camera, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, ModelId, Scene, ShadingGroup,
 };
@@ -119,6 +120,28 @@ impl Selection {
         })
     }
 
+    /// The selected cameras.
+    pub(crate) fn cameras(&self) -> impl Iterator<Item = CameraId> + '_ {
+        self.items.iter().filter_map(|item| if let Item::Camera(id) = item { Some(*id) } else { None })
+    }
+
+    /// The selected shading groups with their models.
+    pub(crate) fn groups(&self) -> impl Iterator<Item = (ModelId, GroupId)> + '_ {
+        self.items.iter().filter_map(|item| if let Item::Group(model, id) = item { Some((*model, *id)) } else { None })
+    }
+
+    /// All that is selected, as the core names it.
+    pub(crate) fn things(&self) -> impl Iterator<Item = Thing> + '_ {
+        self.items.iter().map(|item| Thing::from(*item))
+    }
+
+    /// Whether the model itself or a group or sprite of it is selected.
+    pub(crate) fn of_model(&self, model: ModelId) -> bool {
+        let of =
+            |item: &Item| matches!(item, Item::Model(id) | Item::Group(id, _) | Item::Sprite(id, ..) if *id == model);
+        self.items.iter().any(of)
+    }
+
     /// The model of the primary: itself, its box's, sprite's or group's, or its cloud's.
     pub(crate) fn model<'s>(&self, scene: &'s Scene) -> Option<&'s CloudModel> {
         scene.model(model_of(self.primary()?, scene)?)
@@ -134,6 +157,32 @@ impl Selection {
         let model = model_of(primary, scene)?;
         let picked = self.through.and_then(|id| scene.cloud(id)).filter(|cloud| cloud.model == model);
         picked.or_else(|| scene.clouds.iter().find(|cloud| cloud.model == model))
+    }
+}
+
+impl From<Item> for Thing {
+    fn from(item: Item) -> Self {
+        match item {
+            Item::Model(id) => Self::Model(id),
+            Item::Box(model, id) => Self::Box(model, id),
+            Item::Sprite(model, id, index) => Self::Sprite(model, id, index),
+            Item::Group(model, id) => Self::Group(model, id),
+            Item::Cloud(id) => Self::Cloud(id),
+            Item::Camera(id) => Self::Camera(id),
+        }
+    }
+}
+
+impl From<Thing> for Item {
+    fn from(thing: Thing) -> Self {
+        match thing {
+            Thing::Model(id) => Self::Model(id),
+            Thing::Box(model, id) => Self::Box(model, id),
+            Thing::Sprite(model, id, index) => Self::Sprite(model, id, index),
+            Thing::Group(model, id) => Self::Group(model, id),
+            Thing::Cloud(id) => Self::Cloud(id),
+            Thing::Camera(id) => Self::Camera(id),
+        }
     }
 }
 

@@ -130,7 +130,10 @@ impl Session {
 
     /// Undoes or redoes until `count` points are done.
     pub(crate) fn jump_to(&mut self, count: usize) {
-        let _ = count;
+        if let Some(change) = self.document.jump_to(count) {
+            self.follow(change);
+            self.touched = Change::default();
+        }
     }
 
     /// The scene lies at `path` as it is. Its atlas is looked for there.

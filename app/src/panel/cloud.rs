@@ -2,6 +2,7 @@
 
 use super::Reading;
 use super::fields::fields;
+use super::kept::{self, Kept};
 use crate::editor::{Action, Item};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
@@ -23,25 +24,22 @@ pub(super) fn fields_of(ui: &mut Ui, clouds: &[Cloud], reading: &Reading<'_>, ac
             rows.vector("Position", &p::POSITION, &mut cloud.position);
             rows.number(&p::HEADING_DEG, &mut cloud.heading_deg);
             rows.number(&p::CLOUD_SCALE, &mut cloud.scale);
+            let model_seed = scene.model(cloud.model).map_or(1, |model| model.seed);
+            let before = cloud.seed.unwrap_or(model_seed);
+            let mut seed = before;
+            rows.seed("Seed", "Another number strews this cloud's sprites anew.", &mut seed);
+            if seed != before {
+                cloud.seed = Some(seed);
+            }
             let mut own = cloud.seed.is_some();
             rows.check("Seed of its own", "Other sprites than the model's other clouds.", &mut own);
-            let model_seed = scene.model(cloud.model).map_or(1, |model| model.seed);
-            cloud.seed = own.then(|| cloud.seed.unwrap_or(model_seed));
-            if let Some(seed) = &mut cloud.seed {
-                rows.seed(seed);
-            }
+            cloud.seed = own.then_some(seed);
         },
         |cloud| Edit::Cloud(ListEdit::Replace(cloud)),
     );
     let Some(cloud) = clouds.first() else { return };
-    if let Some(placed) = reading.session.placed(cloud.id) {
-        ui.weak(format!(
-            "{} of {} sprites kept, {} groups",
-            placed.sprites.len(),
-            placed.candidate_count,
-            placed.groups.len()
-        ));
-    }
+    let placed: Vec<_> = clouds.iter().filter_map(|cloud| reading.session.placed(cloud.id)).collect();
+    kept::line(ui, &Kept::of_clouds(&placed));
     if ui.button("Select its model").clicked() {
         actions.push(Action::select(Item::Model(cloud.model)));
     }

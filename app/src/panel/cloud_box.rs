@@ -2,11 +2,14 @@
 
 use super::Reading;
 use super::fields::{Fields, fields, heading};
+use super::kept::{self, Kept};
 use super::model::category_name;
+use super::shading_groups::group_name;
+use crate::command::Command;
 use crate::editor::{Action, Item};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
-use cloudwright_core::scene::{BoxId, Category, CloudBox, CloudModel, GroupCenter, GroupId, ModelId};
+use cloudwright_core::scene::{Category, CloudBox, CloudModel, GroupId, ModelId};
 use egui::Ui;
 use glam::{DQuat, EulerRot};
 
@@ -33,10 +36,24 @@ pub(super) fn fields_of(
         rows.range("Height", &p::SPRITE_SIZE, &mut edited.height);
         rows.range("Rotation", &p::ROTATION_DEG, &mut edited.rotation_deg);
         rows.choice("Category", "Which tiles its sprites show.", &mut edited.category, &categories);
+        let before = edited.key.unwrap_or(edited.id.0);
+        let mut key = before;
+        rows.seed("Key", "Another number strews this box's sprites anew, and no other's.", &mut key);
+        if key != before {
+            edited.key = Some(key);
+        }
     };
     fields(ui, "Change box", actions, boxes, rows, replace);
-    let Some((_, first)) = boxes.first() else { return };
-    ui.weak(kept(model, first.id, reading));
+    let placed = reading.view.selection.cloud(reading.session.scene());
+    match placed.and_then(|cloud| reading.session.placed(cloud.id)) {
+        Some(cloud) => {
+            let its = boxes.iter().filter(|(of, _)| *of == model.id).map(|(_, each)| each);
+            kept::line(ui, &Kept::of_boxes(its, cloud));
+        }
+        None => {
+            ui.weak("Its model is placed nowhere.");
+        }
+    }
     if ui.button("Select its model").clicked() {
         actions.push(Action::select(Item::Model(model.id)));
     }
@@ -46,19 +63,6 @@ pub(super) fn fields_of(
 
 fn replace((model, edited): ModelBox) -> Edit {
     Edit::Box(model, ListEdit::Replace(edited))
-}
-
-/// How many of a box's sprites the cull left.
-fn kept(model: &CloudModel, id: BoxId, reading: &Reading<'_>) -> String {
-    let tried = model.boxes.iter().find(|each| each.id == id).map_or(0, |each| each.sprite_count);
-    let cloud = reading.view.selection.cloud(reading.session.scene());
-    match cloud.and_then(|cloud| reading.session.placed(cloud.id)) {
-        Some(placed) => {
-            let kept = placed.sprites.iter().filter(|sprite| sprite.box_id == id).count();
-            format!("{kept} of {tried} sprites kept in “{}”", placed.name)
-        }
-        None => "its model is placed nowhere".into(),
-    }
 }
 
 /// The quaternion as heading, pitch and roll; the file keeps the quaternion.
@@ -79,34 +83,16 @@ fn turn(rows: &mut Fields<'_>, orientation: &mut DQuat) {
 
 fn shading(ui: &mut Ui, model: &CloudModel, boxes: &[ModelBox], actions: &mut Vec<Action>) {
     let mut groups: Vec<(Option<GroupId>, String)> = vec![(None, "its own".to_owned())];
-    groups.extend(model.groups.iter().map(|group| {
-        let name = if group.name.is_empty() { format!("group {}", group.id) } else { group.name.clone() };
-        (Some(group.id), name)
-    }));
+    groups.extend(model.groups.iter().map(|group| (Some(group.id), group_name(&group.name, group.id))));
     let rows = |rows: &mut Fields<'_>, (_, edited): &mut ModelBox| {
         rows.choice("Group", "Sprites of one group take the sun as one lump.", &mut edited.group, &groups);
         if edited.group.is_none() {
             rows.whole_vector(&p::LUMPS, &mut edited.lumps);
-            light(rows, &mut edited.light);
         }
     };
     fields(ui, "Change shading", actions, boxes, rows, replace);
-}
-
-/// How a group takes the sun.
-pub(super) fn light(rows: &mut Fields<'_>, light: &mut cloudwright_core::scene::GroupLight) {
-    rows.number(&p::C_MIN, &mut light.c_min);
-    rows.number(&p::C_MED, &mut light.c_med);
-    rows.number(&p::C_MAX, &mut light.c_max);
-    match &mut light.center {
-        GroupCenter::At(point) => rows.vector("Group centre", &p::POSITION, point),
-        center => {
-            let before = if let GroupCenter::Pulled(share) = center { *share } else { 0.0 };
-            let mut share = before;
-            rows.number(&p::PULL, &mut share);
-            if share != before {
-                *center = if share == 0.0 { GroupCenter::Mean } else { GroupCenter::Pulled(share) };
-            }
-        }
+    let panel = Command::GroupsPanel.row();
+    if ui.button("Shape its light").on_hover_text(panel.help).clicked() {
+        actions.push(Action::Command(panel.command));
     }
 }

@@ -1,7 +1,11 @@
 //! The values of what is selected. Several things of the primary's kind are changed together.
 
+use super::fields::{Fields, fields};
 use super::{Reading, camera, cloud, cloud_box, model};
-use crate::editor::{Action, Item, box_of, camera_of};
+use crate::command::Command;
+use crate::editor::{Action, Item, box_of, camera_of, group_of};
+use cloudwright_core::document::{Edit, ListEdit};
+use cloudwright_core::scene::{ModelId, ShadingGroup};
 use egui::{ScrollArea, Ui};
 
 /// The panel.
@@ -28,7 +32,7 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
                 .cloned()
                 .collect();
             title(ui, "Cloud model", models.len());
-            model::fields_of(ui, &models, actions);
+            model::fields_of(ui, &models, reading, actions);
         }
         Item::Box(of, _) | Item::Sprite(of, ..) => {
             let boxes: Vec<_> = chosen()
@@ -43,7 +47,21 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
             }
         }
         Item::Group(..) => {
-            ui.heading("Shading group");
+            let groups: Vec<_> = reading
+                .view
+                .selection
+                .groups()
+                .filter_map(|(model, id)| Some((model, group_of(scene, model, id)?.clone())))
+                .collect();
+            title(ui, "Shading group", groups.len());
+            let name =
+                |rows: &mut Fields<'_>, (_, group): &mut (ModelId, ShadingGroup)| rows.text("Name", &mut group.name);
+            let edit = |(model, group)| Edit::Group(model, ListEdit::Replace(group));
+            fields(ui, "Rename shading group", actions, &groups, name, edit);
+            let panel = Command::GroupsPanel.row();
+            if ui.button("Shape its light").on_hover_text(panel.help).clicked() {
+                actions.push(Action::Command(panel.command));
+            }
         }
         Item::Cloud(_) => {
             let clouds: Vec<_> = chosen()

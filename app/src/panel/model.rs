@@ -1,6 +1,8 @@
 //! Cloud models: category and culling. Boxes are in the outline, colours in their own panel.
 
+use super::Reading;
 use super::fields::{Fields, fields};
+use super::kept::{self, Kept};
 use crate::command::Command;
 use crate::editor::Action;
 use cloudwright_core::document::{Edit, ListEdit};
@@ -16,7 +18,7 @@ enum CullKind {
 }
 
 /// `models` has at least one, the one whose values are shown.
-pub(super) fn fields_of(ui: &mut Ui, models: &[CloudModel], actions: &mut Vec<Action>) {
+pub(super) fn fields_of(ui: &mut Ui, models: &[CloudModel], reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let categories: Vec<_> = Category::ALL.into_iter().map(|each| (each, category_name(each))).collect();
     fields(
         ui,
@@ -26,19 +28,32 @@ pub(super) fn fields_of(ui: &mut Ui, models: &[CloudModel], actions: &mut Vec<Ac
         |rows, model| {
             rows.text("Name", &mut model.name);
             rows.choice("Category", "Which tiles its boxes show.", &mut model.category, &categories);
-            rows.seed(&mut model.seed);
             cull(rows, &mut model.cull_radius);
+            rows.seed("Seed", "Another number strews the sprites anew.", &mut model.seed);
         },
         |model| Edit::Model(ListEdit::Replace(model)),
     );
-    ui.horizontal(|ui| {
-        for command in [Command::AddBox, Command::PlaceModel, Command::Reroll] {
+    placed_as(ui, models, reading);
+    ui.horizontal_wrapped(|ui| {
+        for command in [Command::AddBox, Command::PlaceModel, Command::PlaceMany] {
             let row = command.row();
-            if ui.button(row.label()).on_hover_text(row.tooltip(ui.ctx())).clicked() {
+            if ui.button(row.name).on_hover_text(row.tooltip(ui.ctx())).clicked() {
                 actions.push(Action::Command(command));
             }
         }
     });
+}
+
+/// The counts of each model's first cloud: those of the others differ only if they have seeds of their own.
+fn placed_as(ui: &mut Ui, models: &[CloudModel], reading: &Reading<'_>) {
+    let clouds = &reading.session.scene().clouds;
+    let first = |model: &CloudModel| clouds.iter().find(|cloud| cloud.model == model.id);
+    let placed: Vec<_> = models.iter().filter_map(first).filter_map(|cloud| reading.session.placed(cloud.id)).collect();
+    if placed.is_empty() {
+        ui.weak("Placed nowhere.");
+    } else {
+        kept::line(ui, &Kept::of_clouds(&placed));
+    }
 }
 
 fn cull(rows: &mut Fields<'_>, radius: &mut CullRadius) {

@@ -1,6 +1,9 @@
 //! The only colours and spacings.
 
 pub(crate) mod icon;
+mod tint;
+
+pub(crate) use tint::{group_tint, tint_of, tints};
 
 use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Frame, Margin, RichText, Stroke, Style,
@@ -11,6 +14,8 @@ use egui::{
 pub(crate) const GAP: f32 = 8.0;
 /// Between docked panels, points.
 pub(crate) const SPLIT_WIDTH: f32 = 3.0;
+/// From a dialog in a corner to the window's rim, points.
+pub(crate) const DIALOG_MARGIN: f32 = 40.0;
 /// Points.
 pub(crate) const DIALOG_WIDTH: f32 = 380.0;
 /// Points.
@@ -19,8 +24,18 @@ pub(crate) const WIDE_DIALOG_WIDTH: f32 = 560.0;
 pub(crate) const DIALOG_LIST_HEIGHT: f32 = 320.0;
 /// Of a field for a number, points.
 pub(crate) const NUMBER_WIDTH: f32 = 62.0;
+/// Of a field for a seed, points.
+pub(crate) const SEED_WIDTH: f32 = 96.0;
 /// Of the column of names in the inspector, points.
 pub(crate) const NAME_WIDTH: f32 = 108.0;
+/// Of a bar without text, points.
+pub(crate) const THIN_BAR: f32 = 4.0;
+/// Of a tint's mark in a list, points.
+pub(crate) const SWATCH: f32 = 10.0;
+/// Of a curve with its scale, points.
+pub(crate) const CURVE_HEIGHT: f32 = 132.0;
+/// Of numbers at a scale, points.
+pub(crate) const SMALL_TEXT: f32 = 11.0;
 /// Around marks in the viewport.
 pub(crate) const VIEWPORT_MARGIN: f32 = 10.0;
 
@@ -127,6 +142,7 @@ fn spacing(style: &mut Style) {
 
 fn dark(visuals: &mut Visuals) {
     visuals.error_fg_color = Color32::from_rgb(255, 128, 116);
+    visuals.warn_fg_color = Color32::from_rgb(255, 190, 92);
     visuals.panel_fill = Color32::from_rgb(32, 35, 40);
     visuals.window_fill = Color32::from_rgb(38, 42, 48);
     visuals.extreme_bg_color = Color32::from_rgb(22, 24, 28);
@@ -141,6 +157,7 @@ fn dark(visuals: &mut Visuals) {
 
 fn light(visuals: &mut Visuals) {
     visuals.error_fg_color = Color32::from_rgb(178, 34, 34);
+    visuals.warn_fg_color = Color32::from_rgb(168, 92, 0);
     visuals.panel_fill = Color32::from_rgb(244, 245, 247);
     visuals.window_fill = Color32::from_rgb(250, 250, 251);
     visuals.selection.bg_fill = ACCENT_LIGHT;
@@ -178,11 +195,14 @@ pub(crate) fn casing(stroke: Stroke) -> Stroke {
     Stroke { width: stroke.width + 2.0, color: CASING }
 }
 
-/// A tint for each shading group: by the golden angle, neighbours differ most.
-pub(crate) fn group_tint(group: u64) -> Color32 {
-    const GOLDEN: f64 = 0.618_033_988_749_895;
-    let hue = (group as f64 * GOLDEN).fract() as f32;
-    egui::ecolor::Hsva::new(hue, 0.72, 0.95, 1.0).into()
+/// What is worth a look.
+pub(crate) fn warning(ui: &Ui) -> Color32 {
+    ui.visuals().warn_fg_color
+}
+
+/// From one colour towards another by that share.
+pub(crate) fn mix(from: Color32, to: Color32, share: f32) -> Color32 {
+    from.lerp_to_gamma(to, share)
 }
 
 /// What is wrong.

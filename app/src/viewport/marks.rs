@@ -10,7 +10,7 @@ use crate::panel::Reading;
 use crate::theme;
 use cloudwright_core::facing::{corners, face_eye};
 use cloudwright_core::scene::{Cloud, ModelId};
-use cloudwright_core::sprites::{GroupKey, PlacedCloud, Sprite};
+use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape, Vec2, vec2};
 use glam::Vec3;
@@ -78,6 +78,7 @@ fn mesh(screen: &Screen, reading: &Reading<'_>) -> Mesh {
         if !screen.view.sees_sphere(offset + placed.center, placed.reach) {
             continue;
         }
+        let tints = view.group_view.then(|| theme::tints(placed));
         for (number, sprite) in placed.sprites.iter().enumerate() {
             if view.hidden.contains(&Item::Box(cloud.model, sprite.box_id)) {
                 continue;
@@ -86,7 +87,7 @@ fn mesh(screen: &Screen, reading: &Reading<'_>) -> Mesh {
             if chosen.contains(&(cloud.model, sprite.box_id, sprite.index)) {
                 selected.push((center, sprite));
             } else if number % every == 0 {
-                let color = color_of(cloud.model, placed, sprite, view);
+                let color = color_of(cloud.model, tints.as_deref(), sprite, view);
                 mark(&mut mesh, screen, center, sprite, color, view);
             }
         }
@@ -120,18 +121,12 @@ fn marked<'a>(reading: &Reading<'a>) -> Vec<(&'a Cloud, &'a PlacedCloud)> {
     clouds.filter_map(|cloud| Some((cloud, reading.session.placed(cloud.id)?))).collect()
 }
 
-fn color_of(model: ModelId, placed: &PlacedCloud, sprite: &Sprite, view: &ViewState) -> Color32 {
-    if !view.group_view {
-        let boxes = || view.selection.boxes().any(|(of, id)| (of, id) == (model, sprite.box_id));
-        return if boxes() { theme::SELECTED_BOX.color } else { theme::SPRITE_MARK };
+fn color_of(model: ModelId, tints: Option<&[Color32]>, sprite: &Sprite, view: &ViewState) -> Color32 {
+    match tints {
+        Some(tints) => tints.get(sprite.group as usize).copied().unwrap_or(theme::SPRITE_MARK),
+        None if view.selection.contains(Item::Box(model, sprite.box_id)) => theme::SELECTED_BOX.color,
+        None => theme::SPRITE_MARK,
     }
-    let key = placed.groups.get(sprite.group as usize).map(|group| group.key);
-    theme::group_tint(match key {
-        Some(GroupKey::Named(id)) => id.0,
-        // Lumps of a box are told apart.
-        Some(GroupKey::Lump(id, lump)) => id.0.wrapping_add(u64::from(lump).wrapping_mul(101)),
-        None => 0,
-    })
 }
 
 fn mark(mesh: &mut Mesh, screen: &Screen, center: Vec3, sprite: &Sprite, color: Color32, view: &ViewState) {

@@ -5,7 +5,8 @@ use crate::editor::{Item, ViewState};
 use crate::theme;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::scene::{Cloud, CloudBox, Scene};
-use egui::{Painter, Stroke};
+use cloudwright_core::sprites::GroupKey;
+use egui::{Color32, Painter, Stroke};
 use glam::{DVec3, Vec3};
 
 /// Corner indices: bit 0 is x, bit 1 y, bit 2 z. Four edges along each axis.
@@ -24,7 +25,7 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, scene: &Scene, state: &V
             }
             let other = (state.show_all_boxes || state.group_view).then_some(theme::OTHER_BOX);
             let stroke = stroke_of(cloud, each, state);
-            let tint = state.group_view.then(|| theme::group_tint(tint_key(each)));
+            let tint = state.group_view.then(|| tint(each));
             let tinted = |stroke: Stroke| Stroke { color: tint.unwrap_or(stroke.color), ..stroke };
             match (stroke, other) {
                 (Some(stroke), _) => on_top.push((cloud, each, tinted(stroke))),
@@ -48,9 +49,9 @@ pub(super) fn paint_selected(painter: &Painter, screen: &Screen, cloud: &Cloud, 
     outline(painter, screen, cloud, each, theme::SELECTED_BOX);
 }
 
-/// What a box's tint is chosen by: its shading group.
-fn tint_key(each: &CloudBox) -> u64 {
-    each.group.map_or(each.id.0, |group| group.0)
+/// A box's tint: that of the group it shares, or of its own.
+fn tint(each: &CloudBox) -> Color32 {
+    theme::tint_of(each.group.map_or(GroupKey::Lump(each.id, 0), GroupKey::Named))
 }
 
 /// How a box stands out; none for one that has nothing to do with the selection.

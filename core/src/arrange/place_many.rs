@@ -24,7 +24,7 @@ pub enum Pattern {
 /// Where a model is placed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Places {
-    /// The rectangle's middle, metres in the world; all clouds stand at its height.
+    /// The rectangle's middle, metres in the world.
     pub center: DVec3,
     /// The rectangle's extent to the east and to the north, metres.
     pub extent: DVec2,
@@ -32,17 +32,20 @@ pub struct Places {
     pub count: u32,
     /// In which pattern.
     pub pattern: Pattern,
-    /// Decides strewn places and headings.
+    /// Between the lowest and the highest that may come of it, metres; 0: all stand at the middle's height.
+    pub altitude_spread_m: f64,
+    /// Smallest and largest scale.
+    pub scale: [f64; 2],
+    /// Decides all that is left to chance.
     pub seed: u64,
     /// Whether each cloud is turned by chance; else all look north.
     pub random_heading: bool,
 }
 
-/// Places `model`; nothing if it is gone or the rectangle is none.
+/// Places `model`; nothing if it is gone, or if the rectangle or the ranges are none.
 pub fn model(scene: &Scene, model: ModelId, places: &Places) -> Arrangement {
     let mut plan = Plan::new(scene);
-    let is_rectangle = places.center.is_finite() && places.extent.is_finite() && places.extent.min_element() >= 0.0;
-    let Some(model) = scene.model(model).filter(|_| is_rectangle) else { return plan.done() };
+    let Some(model) = scene.model(model).filter(|_| places.are_sound()) else { return plan.done() };
     let mut names = Names::new(scene.clouds.iter().map(|cloud| cloud.name.as_str()));
     let count = places.count.min(MOST_CLOUDS);
     for index in 0..count {
@@ -51,20 +54,32 @@ pub fn model(scene: &Scene, model: ModelId, places: &Places) -> Arrangement {
             Pattern::Strewn => strewn(index, count, places.seed),
         };
         let aside = (in_rectangle - 0.5) * places.extent;
-        let turn = if places.random_heading { unit(draw(places.seed, 0, index, 1)[0]) } else { 0.0 };
+        let [turn, rise, growth, _] = draw(places.seed, 0, index, 1).map(unit);
+        let [smallest, largest] = places.scale;
         let id = CloudId::new(&mut plan.next_id);
         plan.insert_cloud(Cloud {
             id,
             name: names.free(&model.name),
             model: model.id,
-            position: places.center + DVec3::new(aside.x, 0.0, -aside.y),
-            heading_deg: 360.0 * turn,
-            scale: 1.0,
+            position: places.center + DVec3::new(aside.x, (rise - 0.5) * places.altitude_spread_m, -aside.y),
+            heading_deg: if places.random_heading { 360.0 * turn } else { 0.0 },
+            scale: smallest + (largest - smallest) * growth,
             seed: None,
         });
         plan.made.push(Thing::Cloud(id));
     }
     plan.done()
+}
+
+impl Places {
+    fn are_sound(&self) -> bool {
+        let Self { center, extent, altitude_spread_m, scale: [smallest, largest], .. } = *self;
+        let ranges = [altitude_spread_m, smallest, largest - smallest];
+        center.is_finite()
+            && extent.is_finite()
+            && extent.min_element() >= 0.0
+            && ranges.into_iter().all(|range| range.is_finite() && range >= 0.0)
+    }
 }
 
 /// The middle of a cell, as shares of the extent from the south-west corner. Cells are as square as the count allows;
@@ -98,7 +113,8 @@ mod tests {
 
     fn places(pattern: Pattern, count: u32) -> Places {
         let (center, extent) = (DVec3::new(500.0, 1500.0, -200.0), DVec2::new(8000.0, 2000.0));
-        Places { center, extent, count, pattern, seed: 5, random_heading: pattern == Pattern::Strewn }
+        let random_heading = pattern == Pattern::Strewn;
+        Places { center, extent, count, pattern, altitude_spread_m: 0.0, scale: [1.0, 1.0], seed: 5, random_heading }
     }
 
     fn positions(scene: &Scene, places: &Places) -> Vec<DVec3> {
@@ -140,6 +156,19 @@ mod tests {
     }
 
     #[test]
+    fn altitudes_and_scales_fill_their_ranges() {
+        let scene = two_clouds();
+        let ranges = Places { altitude_spread_m: 400.0, scale: [0.5, 2.0], ..places(Pattern::Strewn, 200) };
+        let after = applied(&scene, &model(&scene, scene.models[0].id, &ranges));
+        let new = &after.clouds[scene.clouds.len()..];
+        let ends = |values: Vec<f64>| values.into_iter().fold([f64::MAX, f64::MIN], |[a, b], v| [a.min(v), b.max(v)]);
+        let [low, high] = ends(new.iter().map(|cloud| cloud.position.y - 1500.0).collect());
+        assert!((-200.0..-190.0).contains(&low) && (190.0..200.0).contains(&high), "{low} to {high} m");
+        let [low, high] = ends(new.iter().map(|cloud| cloud.scale).collect());
+        assert!((0.5..0.55).contains(&low) && (1.95..2.0).contains(&high), "{low} to {high}");
+    }
+
+    #[test]
     fn degenerate_places() {
         let scene = two_clouds();
         let id = scene.models[0].id;
@@ -152,6 +181,8 @@ mod tests {
                 Places { extent: DVec2::new(-1.0, 1.0), ..places(pattern, 7) },
                 Places { extent: DVec2::NAN, ..places(pattern, 7) },
                 Places { center: DVec3::INFINITY, ..places(pattern, 7) },
+                Places { scale: [2.0, 1.0], ..places(pattern, 7) },
+                Places { altitude_spread_m: f64::NAN, ..places(pattern, 7) },
                 places(pattern, 0),
             ];
             for places in bad {

@@ -4,13 +4,17 @@
 
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
+mod arranging;
 mod editing;
 mod files;
+mod groups;
 mod tools;
 mod viewing;
 
-use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Session, Start};
+use cloudwright::command::Command;
+use cloudwright::editor::{Ask, Editor, FileDialogs, Item, Reply, Selection, Session, Start};
 use cloudwright::renderer::RendererChoice;
+use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::Scene;
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2};
@@ -95,6 +99,23 @@ impl Window {
     fn set(&mut self, label: &str, value: f64) {
         self.node(Role::SpinButton, label).set_value_accesskit(value);
         self.settle();
+    }
+
+    /// As the command palette does it.
+    fn command(&mut self, command: Command) {
+        let context = self.harness.ctx.clone();
+        self.harness.state_mut().perform(command, &context);
+        self.settle();
+    }
+
+    fn select(&mut self, items: impl IntoIterator<Item = Item>) {
+        self.harness.state_mut().select(Selection::of(items));
+        self.settle();
+    }
+
+    /// The scene as its file.
+    fn file(&self) -> String {
+        scene_file::write(self.scene()).expect("it can be written")
     }
 
     fn keys(&mut self, modifiers: Modifiers, key: Key) {

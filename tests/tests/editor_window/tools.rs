@@ -2,10 +2,11 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::{Item, Selection};
+use cloudwright::editor::Item;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::camera::View;
-use cloudwright_core::scene::{Cloud, CloudBox, GroupId};
+use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, GroupId};
+use cloudwright_core::sprites::GroupKey;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
@@ -13,17 +14,6 @@ use glam::DVec3;
 impl Window {
     pub(crate) fn viewport(&self) -> Rect {
         self.harness.get_by_label("Viewport").rect()
-    }
-
-    fn select(&mut self, items: impl IntoIterator<Item = Item>) {
-        self.harness.state_mut().select(Selection::of(items));
-        self.settle();
-    }
-
-    fn command(&mut self, command: Command) {
-        let context = self.harness.ctx.clone();
-        self.harness.state_mut().perform(command, &context);
-        self.settle();
     }
 
     fn primary(&self) -> Option<Item> {
@@ -444,12 +434,24 @@ fn a_sprite_is_moved_by_hand_and_stays() {
 fn a_group_center_is_moved_by_hand() {
     let mut window = opened();
     window.press("body");
-    let scene = window.scene().clone();
-    let model = &scene.models[0];
-    // There is no group to move, and none that is gone is.
-    window.select([Item::Group(model.id, GroupId(999))]);
+    window.command(Command::NewGroup);
+    let model = window.scene().models[0].id;
+    let Some(group) = window.scene().models[0].groups.first().map(|group| group.id) else { panic!("a group") };
+    window.select([Item::Group(model, group)]);
     window.press("Move");
-    window.drag(window.viewport().center(), vec2(50.0, 0.0));
+    let placed = &window.session().derived().clouds()[0];
+    let found = placed.groups.iter().find(|each| each.key == GroupKey::Named(group)).expect("it has sprites");
+    let center = placed.origin + found.center.as_dvec3();
+    let at = window.on_screen(center);
+    window.drag(at - vec2(0.0, 52.0), vec2(0.0, -60.0));
+    let GroupCenter::At(moved) = window.scene().models[0].groups[0].light.center else { panic!("put by hand") };
+    let moved = ModelSpace::of(&window.scene().clouds[0]).to_world(moved) - center;
+    assert!(moved.y > 50.0 && moved.x.abs() < 0.1 && moved.z.abs() < 0.1, "{moved}");
+    assert_eq!(window.undo_name().as_deref(), Some("Move"));
+    let scene = window.scene().clone();
+    // A group that is gone has no handle.
+    window.select([Item::Group(model, GroupId(999))]);
+    window.drag(at, vec2(50.0, 0.0));
     assert_eq!(window.scene(), &scene);
 }
 

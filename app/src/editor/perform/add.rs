@@ -14,8 +14,6 @@ impl Editor {
 
     pub(super) fn choose_preset(&mut self) {}
 
-    pub(super) fn ask_place_many(&mut self) {}
-
     pub(super) fn place_model(&mut self) {
         let scene = self.session.scene();
         let Some(model) = self.view.selection.model(scene) else { return };

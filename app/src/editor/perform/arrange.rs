@@ -1,74 +1,181 @@
-//! What is done with things that are there: duplicate, mirror, join, split, delete.
+//! What is done with things that are there: duplicate, mirror, join, split, re-roll, delete.
+//!
+//! How each is done is [`cloudwright_core::arrange`]'s; here stands what of the selection it is asked for: things of the
+//! primary's kind, as in the inspector.
 
-use super::add::insert_cloud;
 use crate::command::Command;
-use crate::editor::{Editor, Item, Selection, box_of, camera_of, starter};
+use crate::editor::{Editor, Item, Selection, box_of};
+use cloudwright_core::arrange::duplicate::{self, Copy};
+use cloudwright_core::arrange::mirror::{self, Axis};
+use cloudwright_core::arrange::sprites::SpriteId;
+use cloudwright_core::arrange::{Arrangement, Refusal, Thing, delete, join, split, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::scene::{BoxId, Camera, CameraId, Cloud, CloudBox, CloudId};
+use cloudwright_core::random;
+use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId};
 use glam::DVec3;
 
 impl Editor {
+    /// One undo point; what it made is selected. Where nothing is made, the selection stays.
+    pub(super) fn arrange(&mut self, command: Command, arrangement: Arrangement) {
+        let Arrangement { edits, made } = arrangement;
+        if edits.is_empty() {
+            return;
+        }
+        let selection = if made.is_empty() {
+            self.view.selection.clone()
+        } else {
+            let seen = self.view.selection.cloud(self.session.scene()).map(|cloud| cloud.id);
+            let made = Selection::of(made.into_iter().map(Item::from));
+            if let Some(cloud) = seen { made.through(cloud) } else { made }
+        };
+        self.edit_and_select(command, edits, selection);
+    }
+
+    fn arrange_or_tell(&mut self, command: Command, arrangement: Result<Arrangement, Refusal>) {
+        match arrangement {
+            Ok(arrangement) => self.arrange(command, arrangement),
+            Err(refusal) => self.tell_error(refusal.to_string()),
+        }
+    }
+
     pub(super) fn duplicate(&mut self) {
         let scene = self.session.scene();
-        let mut counter = scene.next_id;
-        let (edit, item) = match self.view.selection.primary() {
-            Some(Item::Box(model, id)) => {
-                let Some(old) = box_of(scene, model, id) else { return };
-                let id = BoxId::new(&mut counter);
-                let center = old.center + DVec3::X * old.size.x;
-                let new = CloudBox { id, center, ..old.clone() };
-                (Edit::Box(model, ListEdit::Insert { at: usize::MAX, value: new }), Item::Box(model, id))
+        let selection = &self.view.selection;
+        let arrangement = match selection.primary() {
+            Some(Item::Box(model, _)) => {
+                let ids = boxes_of(selection, model);
+                let boxes = ids.iter().filter_map(|id| box_of(scene, model, *id));
+                let width = width(boxes.map(|each| (each.center.x, each.size.x * 0.5)));
+                duplicate::boxes(scene, model, &ids, DVec3::X * width)
             }
-            Some(Item::Cloud(id)) => {
-                let Some(old) = scene.cloud(id) else { return };
-                let id = CloudId::new(&mut counter);
-                let aside = self.session.placed(old.id).map_or(500.0, |cloud| f64::from(cloud.reach) * 1.5);
-                let name = starter::free_name(&old.name, scene.clouds.iter().map(|cloud| cloud.name.as_str()));
-                let new = Cloud { id, name, position: old.position + DVec3::X * aside, ..old.clone() };
-                (insert_cloud(new), Item::Cloud(id))
-            }
-            Some(Item::Camera(id)) => {
-                let Some(old) = camera_of(scene, id) else { return };
-                let id = CameraId::new(&mut counter);
-                let name = starter::free_name(&old.name, scene.cameras.iter().map(|camera| camera.name.as_str()));
-                let new = Camera { id, name, ..old.clone() };
-                (Edit::Camera(ListEdit::Insert { at: usize::MAX, value: new }), Item::Camera(id))
+            Some(Item::Cloud(_)) => self.duplicated_clouds(Copy::Linked),
+            Some(Item::Camera(_)) => {
+                let ids: Vec<_> = selection.cameras().collect();
+                duplicate::cameras(scene, &ids, DVec3::ZERO)
             }
             _ => return,
         };
-        self.edit_and_select(Command::Duplicate, vec![Edit::NextId(counter), edit], Selection::of([item]));
+        self.arrange(Command::Duplicate, arrangement);
     }
 
-    pub(super) fn duplicate_own(&mut self) {}
+    pub(super) fn duplicate_own(&mut self) {
+        let arrangement = self.duplicated_clouds(Copy::Own);
+        self.arrange(Command::DuplicateOwn, arrangement);
+    }
 
-    pub(super) fn make_own(&mut self) {}
+    /// Copies of the selected clouds, to the east of them.
+    fn duplicated_clouds(&self, copy: Copy) -> Arrangement {
+        let ids: Vec<CloudId> = self.view.selection.clouds().collect();
+        let placed = ids.iter().filter_map(|id| self.session.placed(*id));
+        // A cloud is narrower than the sphere that holds it.
+        let aside = width(placed.map(|cloud| (cloud.origin.x, f64::from(cloud.reach)))) * 0.75;
+        let aside = if aside > 0.0 { aside.round() } else { 500.0 };
+        duplicate::clouds(self.session.scene(), &ids, DVec3::X * aside, copy)
+    }
 
-    pub(super) fn mirror(&mut self, _command: Command) {}
-
-    pub(super) fn join(&mut self) {}
-
-    pub(super) fn split(&mut self) {}
-
-    pub(super) fn reroll(&mut self) {}
-
-    pub(super) fn reset_sprites(&mut self) {}
-
-    /// A model goes with its clouds.
-    pub(super) fn delete(&mut self) {
-        let mut edits = Vec::new();
-        for item in self.view.selection.items() {
-            match *item {
-                Item::Box(model, id) => edits.push(Edit::Box(model, ListEdit::Remove(id))),
-                Item::Cloud(id) => edits.push(Edit::Cloud(ListEdit::Remove(id))),
-                Item::Camera(id) => edits.push(Edit::Camera(ListEdit::Remove(id))),
-                Item::Model(id) => {
-                    let clouds = self.session.scene().clouds.iter().filter(|cloud| cloud.model == id);
-                    edits.extend(clouds.map(|cloud| Edit::Cloud(ListEdit::Remove(cloud.id))));
-                    edits.push(Edit::Model(ListEdit::Remove(id)));
-                }
-                Item::Group(..) | Item::Sprite(..) => {}
-            }
+    pub(super) fn make_own(&mut self) {
+        let ids: Vec<CloudId> = self.view.selection.clouds().collect();
+        let arrangement = duplicate::make_own(self.session.scene(), &ids);
+        if arrangement.edits.is_empty() {
+            self.tell("No other cloud shares the model");
         }
-        self.edit_and_select(Command::Delete, edits, Selection::default());
+        self.arrange(Command::MakeOwn, arrangement);
     }
+
+    pub(super) fn mirror(&mut self, command: Command) {
+        let axis = match command {
+            Command::MirrorY => Axis::Y,
+            Command::MirrorZ => Axis::Z,
+            _ => Axis::X,
+        };
+        let scene = self.session.scene();
+        let selection = &self.view.selection;
+        let arrangement = match selection.primary() {
+            Some(Item::Box(model, _)) => mirror::boxes(scene, model, &boxes_of(selection, model), axis),
+            _ => mirror::clouds(scene, &selection.clouds().collect::<Vec<_>>(), axis),
+        };
+        self.arrange(command, arrangement);
+    }
+
+    /// Into the primary, which stays where it is.
+    pub(super) fn join(&mut self) {
+        let mut ids: Vec<CloudId> = self.view.selection.clouds().collect();
+        ids.reverse();
+        let arrangement = join::clouds(self.session.scene(), &ids);
+        self.arrange_or_tell(Command::Join, arrangement);
+    }
+
+    pub(super) fn split(&mut self) {
+        let scene = self.session.scene();
+        let Some(cloud) = self.view.selection.cloud(scene) else { return };
+        let arrangement = split::boxes(scene, cloud.id, &boxes_of(&self.view.selection, cloud.model));
+        self.arrange_or_tell(Command::Split, arrangement);
+    }
+
+    /// Clouds get another seed of their own, models another for all their clouds, boxes another key.
+    pub(super) fn reroll(&mut self) {
+        let scene = self.session.scene();
+        let selection = &self.view.selection;
+        let edits = match selection.primary() {
+            Some(Item::Cloud(_)) => {
+                let clouds = selection.clouds().filter_map(|id| scene.cloud(id));
+                let seed_of = |cloud: &Cloud| cloud.seed.or(scene.model(cloud.model).map(|model| model.seed));
+                let rolled = |cloud: &Cloud| Cloud { seed: seed_of(cloud).map(random::another_seed), ..cloud.clone() };
+                clouds.map(|cloud| Edit::Cloud(ListEdit::Replace(rolled(cloud)))).collect()
+            }
+            Some(Item::Box(..)) => {
+                let boxes = selection.boxes().filter_map(|(model, id)| Some((model, box_of(scene, model, id)?)));
+                let key_of = |each: &CloudBox| each.key.unwrap_or(each.id.0);
+                let rolled =
+                    |each: &CloudBox| CloudBox { key: Some(random::another_seed(key_of(each))), ..each.clone() };
+                boxes.map(|(model, each)| Edit::Box(model, ListEdit::Replace(rolled(each)))).collect()
+            }
+            _ => {
+                let models = scene.models.iter().filter(|model| selection.of_model(model.id));
+                let rolled =
+                    |model: &CloudModel| CloudModel { seed: random::another_seed(model.seed), ..model.clone() };
+                models.map(|model| Edit::Model(ListEdit::Replace(rolled(model)))).collect()
+            }
+        };
+        self.arrange(Command::Reroll, Arrangement { edits, made: Vec::new() });
+    }
+
+    /// The selected sprites, and all of the selected boxes.
+    pub(super) fn reset_sprites(&mut self) {
+        let scene = self.session.scene();
+        let selection = &self.view.selection;
+        let Some(model) = selection.model(scene) else { return };
+        let whole = selection.boxes().filter(|(of, _)| *of == model.id).filter_map(|(of, id)| box_of(scene, of, id));
+        let edited = whole.flat_map(|each| each.sprite_edits.iter().map(|edit| (each.id, edit.index)));
+        let single = selection.sprites().filter(|(of, ..)| *of == model.id).map(|(_, id, index)| (id, index));
+        let ids: Vec<SpriteId> = edited.chain(single).collect();
+        let reset = sprites::reset(scene, model.id, &ids);
+        self.arrange(Command::ResetSprites, Arrangement { edits: reset.edits, made: Vec::new() });
+    }
+
+    /// With what hangs on it. After a group or a sprite, the artist is still at work on its cloud.
+    pub(super) fn delete(&mut self) {
+        let scene = self.session.scene();
+        let things: Vec<Thing> = self.view.selection.things().collect();
+        let left = match self.view.selection.primary() {
+            Some(Item::Group(model, _) | Item::Sprite(model, ..)) => {
+                let cloud = self.view.selection.cloud(scene).map(|cloud| Item::Cloud(cloud.id));
+                Selection::of([cloud.unwrap_or(Item::Model(model))])
+            }
+            _ => Selection::default(),
+        };
+        let edits = delete::things(scene, &things).edits;
+        self.edit_and_select(Command::Delete, edits, left);
+    }
+}
+
+fn boxes_of(selection: &Selection, model: ModelId) -> Vec<BoxId> {
+    selection.boxes().filter(|(of, _)| *of == model).map(|(_, id)| id).collect()
+}
+
+/// From the westernmost to the easternmost end of things with a middle and half an extent; 0 of nothing.
+fn width(things: impl Iterator<Item = (f64, f64)>) -> f64 {
+    let ends = things.map(|(middle, half)| (middle - half, middle + half));
+    let ends = ends.reduce(|(low, high), (from, to)| (low.min(from), high.max(to)));
+    ends.map_or(0.0, |(low, high)| high - low)
 }

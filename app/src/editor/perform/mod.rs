@@ -6,7 +6,7 @@ mod shade;
 mod view;
 
 use super::file_flow::Intent;
-use super::{Action, Editor, Selection, Tool};
+use super::{Action, Editor, Item, Selection, Tool};
 use crate::command::Command;
 use crate::panel::Panel;
 use cloudwright_core::document::{Edit, EditError};
@@ -49,7 +49,7 @@ impl Editor {
     }
 
     /// Tells why a change was refused.
-    fn report(&mut self, done: Result<(), EditError>) {
+    pub(in crate::editor) fn report(&mut self, done: Result<(), EditError>) {
         match done {
             Ok(()) => self.notice = None,
             Err(error) => self.tell_error(error.to_string()),
@@ -87,7 +87,8 @@ impl Editor {
                 boxes > 0 || selection.sprites().next().is_some()
             }
             Command::Solo => clouds > 0 || !self.view.solo.is_empty(),
-            Command::Duplicate | Command::Delete | Command::Hide | Command::Lock => !selection.is_empty(),
+            Command::Duplicate => matches!(selection.primary(), Some(Item::Box(..) | Item::Cloud(_) | Item::Camera(_))),
+            Command::Delete | Command::Hide | Command::Lock => !selection.is_empty(),
             Command::SelectNone | Command::FrameSelection => !selection.is_empty(),
             Command::FrameAll => !self.session.derived().clouds().is_empty(),
             Command::LookThrough | Command::AlignCamera => !scene.cameras.is_empty(),

@@ -1,13 +1,39 @@
 //! Shading groups and colour levels.
 
+use crate::command::Command;
 use crate::editor::Editor;
+use cloudwright_core::arrange::group::{self, Destination};
+use cloudwright_core::arrange::{Names, Thing, auto_group};
+use cloudwright_core::sprites::populate;
 
 impl Editor {
-    pub(super) fn new_group(&mut self) {}
+    pub(super) fn new_group(&mut self) {
+        let Some(model) = self.view.selection.model(self.session.scene()) else { return };
+        let name = Names::new(model.groups.iter().map(|group| group.name.as_str())).free("group");
+        self.put_into(Command::NewGroup, &Destination::New(name));
+    }
 
-    pub(super) fn ungroup(&mut self) {}
+    pub(super) fn ungroup(&mut self) {
+        self.put_into(Command::Ungroup, &Destination::Own);
+    }
 
-    pub(super) fn auto_group(&mut self) {}
+    fn put_into(&mut self, command: Command, destination: &Destination) {
+        let scene = self.session.scene();
+        let Some(model) = self.view.selection.model(scene) else { return };
+        let things: Vec<Thing> = self.view.selection.things().collect();
+        let arrangement = group::put(scene, model.id, &things, destination);
+        self.arrange(command, arrangement);
+    }
+
+    /// By the sprites of the cloud that the artist looks at.
+    pub(super) fn auto_group(&mut self) {
+        let scene = self.session.scene();
+        let Some(model) = self.view.selection.model(scene) else { return };
+        let own_seed = self.view.selection.cloud(scene).and_then(|cloud| cloud.seed);
+        let populated = populate(model, own_seed.unwrap_or(model.seed));
+        let arrangement = auto_group::model(scene, model.id, &populated);
+        self.arrange(Command::AutoGroup, arrangement);
+    }
 
     pub(super) fn copy_levels(&mut self) {
         self.copied_levels = self.view.selection.model(self.session.scene()).map(|model| model.color_levels);

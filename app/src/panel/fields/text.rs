@@ -1,6 +1,8 @@
 //! Names, and numbers that nobody drags.
 
 use super::{Fields, name_it};
+use crate::theme::{self, icon};
+use cloudwright_core::random;
 use egui::{DragValue, Id, Key, TextEdit};
 
 impl Fields<'_> {
@@ -27,15 +29,25 @@ impl Fields<'_> {
         });
     }
 
-    /// A seed: any whole number, no use in dragging it.
-    pub(in crate::panel) fn seed(&mut self, value: &mut u64) {
-        const DOC: &str = "Another number strews the sprites anew.";
-        self.row("Seed", DOC, |values| {
-            values.value("Seed", value, |ui, value| {
-                let response = ui.add(DragValue::new(value).speed(0.05).update_while_editing(false));
-                name_it(ui, &response, "Seed");
-                response.on_hover_text(DOC).changed()
+    /// A seed: any whole number, no use in dragging it. The dice roll another one, for each of several things its own.
+    pub(in crate::panel) fn seed(&mut self, label: &str, doc: &str, value: &mut u64) {
+        self.row(label, doc, |values| {
+            values.value(label, value, |ui, value| {
+                let field = DragValue::new(value).speed(0.05).update_while_editing(false);
+                let response = ui.add_sized([theme::SEED_WIDTH, ui.spacing().interact_size.y], field);
+                name_it(ui, &response, label);
+                response.on_hover_text(doc).changed()
             });
+            let mut rolled = false;
+            values.value("Re-roll", &mut rolled, |ui, rolled| {
+                let dice = ui.button(icon::DICE_FIVE);
+                name_it(ui, &dice, "Re-roll");
+                *rolled = dice.on_hover_text("Roll another one.").clicked();
+                *rolled
+            });
+            if rolled {
+                *value = random::another_seed(*value);
+            }
         });
     }
 }

@@ -1,0 +1,121 @@
+//! Many placements: how many, over which area, and what is left to chance. The scene shows them while they are chosen.
+
+use super::fields::{name_it, number_field};
+use crate::theme::{self, icon};
+use cloudwright_core::arrange::place_many::{MOST_CLOUDS, Pattern, Places};
+use cloudwright_core::parameter::{CLOUD_SCALE, Parameter};
+use cloudwright_core::random;
+use egui::{Align2, Color32, Context, Grid, Id, Modal, Ui, vec2};
+
+const COUNT: Parameter = Parameter {
+    name: "count",
+    label: "Placements",
+    unit: "",
+    min: 1.0,
+    max: MOST_CLOUDS as f64,
+    default: 12.0,
+    doc: "How many clouds.",
+};
+const AREA: Parameter = Parameter {
+    name: "extent",
+    label: "Area",
+    unit: "m",
+    min: 0.0,
+    max: 1e6,
+    default: 10_000.0,
+    doc: "The rectangle that they are strewn over.",
+};
+const SPREAD: Parameter = Parameter {
+    name: "altitude_spread_m",
+    label: "Altitude spread",
+    unit: "m",
+    min: 0.0,
+    max: 20_000.0,
+    default: 100.0,
+    doc: "Between the lowest and the highest.",
+};
+
+/// How many, and where, before anything is chosen.
+pub(crate) fn default_places(center: glam::DVec3) -> Places {
+    Places {
+        center,
+        extent: glam::DVec2::splat(AREA.default),
+        count: COUNT.default as u32,
+        pattern: Pattern::Strewn,
+        altitude_spread_m: SPREAD.default,
+        scale: [0.8, 1.25],
+        seed: 1,
+        random_heading: true,
+    }
+}
+
+/// Asks in a corner, so that the clouds can be seen. Whether they are to be placed, once that is answered.
+pub(crate) fn ask_place_many(context: &Context, model: &str, places: &mut Places) -> Option<bool> {
+    let id = Id::unique("place many");
+    let corner = Modal::default_area(id).anchor(Align2::LEFT_BOTTOM, vec2(1.0, -1.0) * theme::DIALOG_MARGIN);
+    let modal = Modal::new(id).area(corner).backdrop_color(Color32::TRANSPARENT).frame(theme::dialog(context));
+    let modal = modal.show(context, |ui| {
+        ui.heading("Many placements");
+        ui.weak(format!("of “{model}”, around the point that the view looks at"));
+        ui.add_space(theme::GAP);
+        Grid::new("place many").num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| rows(ui, places));
+        ui.add_space(theme::GAP);
+        ui.horizontal(|ui| {
+            let place = ui.button("Place").clicked().then_some(true);
+            let cancel = ui.button("Cancel").clicked().then_some(false);
+            place.or(cancel)
+        })
+        .inner
+    });
+    // A click beside it is no answer: the clouds are there to be looked at.
+    let escaped = context.input(|input| input.key_pressed(egui::Key::Escape));
+    modal.inner.or(escaped.then_some(false))
+}
+
+fn rows(ui: &mut Ui, places: &mut Places) {
+    let row = |ui: &mut Ui, label: &str, values: &mut dyn FnMut(&mut Ui)| {
+        ui.label(label);
+        ui.horizontal(|ui| values(ui));
+        ui.end_row();
+    };
+    row(ui, COUNT.label, &mut |ui| {
+        let mut count = f64::from(places.count);
+        if number_field(ui, COUNT.label, &COUNT, &mut count, true) {
+            places.count = count as u32;
+        }
+        for (pattern, name) in [(Pattern::Strewn, "strewn"), (Pattern::Grid, "in rows")] {
+            ui.radio_value(&mut places.pattern, pattern, name);
+        }
+    });
+    row(ui, AREA.label, &mut |ui| {
+        number_field(ui, "Area width", &AREA, &mut places.extent.x, false);
+        ui.label("×");
+        number_field(ui, "Area depth", &AREA, &mut places.extent.y, false);
+    });
+    row(ui, SPREAD.label, &mut |ui| {
+        number_field(ui, SPREAD.label, &SPREAD, &mut places.altitude_spread_m, false);
+    });
+    row(ui, "Scale", &mut |ui| {
+        let [smallest, largest] = &mut places.scale;
+        if number_field(ui, "Scale from", &CLOUD_SCALE, smallest, false) {
+            *largest = largest.max(*smallest);
+        }
+        ui.label("to");
+        if number_field(ui, "Scale to", &CLOUD_SCALE, largest, false) {
+            *smallest = smallest.min(*largest);
+        }
+    });
+    row(ui, "", &mut |ui| {
+        ui.checkbox(&mut places.random_heading, "Turned by chance");
+    });
+    row(ui, "Seed", &mut |ui| {
+        let field = egui::DragValue::new(&mut places.seed).speed(0.05).update_while_editing(false);
+        let response = ui.add_sized([theme::SEED_WIDTH, ui.spacing().interact_size.y], field);
+        name_it(ui, &response, "Seed of the placements");
+        let dice = ui.button(icon::DICE_FIVE);
+        name_it(ui, &dice, "Re-roll the placements");
+        if dice.on_hover_text("Roll another one.").clicked() {
+            places.seed = random::another_seed(places.seed);
+        }
+    });
+}

@@ -1,0 +1,46 @@
+//! The shading groups of the selected model: the list above, below it how the chosen ones take the sun.
+
+mod curve;
+mod light;
+mod list;
+
+pub(super) use list::group_name;
+
+use super::Reading;
+use crate::command::Command;
+use crate::editor::Action;
+use crate::theme;
+use egui::{ScrollArea, Ui};
+
+/// The panel.
+pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let Some(model) = reading.view.selection.model(reading.session.scene()) else {
+        ui.weak("Select a cloud to see its shading groups.");
+        return;
+    };
+    buttons(ui, reading, actions);
+    ui.add_space(theme::GAP * 0.5);
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        list::show(ui, model, reading, actions);
+        light::show(ui, model, reading, actions);
+    });
+}
+
+fn buttons(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let has_members = list::has_members(reading);
+    let mut offer = |ui: &mut Ui, command: Command, name: &str, enabled: bool, on: bool| {
+        let row = command.row();
+        let button = egui::Button::new(format!("{} {name}", row.icon.unwrap_or_default())).selected(on);
+        let response = ui.add_enabled(enabled, button);
+        super::fields::name_it(ui, &response, name);
+        let tooltip = row.tooltip(ui.ctx());
+        if response.on_hover_text(&tooltip).on_disabled_hover_text(tooltip).clicked() {
+            actions.push(Action::Command(command));
+        }
+    };
+    ui.horizontal_wrapped(|ui| {
+        offer(ui, Command::NewGroup, "New group from selection", has_members, false);
+        offer(ui, Command::AutoGroup, "Group automatically", true, false);
+        offer(ui, Command::GroupView, "Show tints", true, reading.view.group_view);
+    });
+}

@@ -1,0 +1,192 @@
+//! The arranging commands: what they come to, that undo brings the file back byte for byte, and that redo repeats them.
+
+use crate::Window;
+use cloudwright::command::Command;
+use cloudwright::editor::Item;
+use cloudwright_core::scene::Scene;
+use egui::accesskit::Role;
+use egui::{Key, Modifiers};
+use egui_kittest::kittest::Queryable;
+
+/// Two clouds of the starter's model; its first box has a sprite taken out by hand, its heads share a group.
+fn two_clouds() -> Window {
+    let mut window = Window::open();
+    window.settle();
+    let (cloud, model) = (window.scene().clouds[0].id, window.scene().models[0].clone());
+    window.select([Item::Cloud(cloud)]);
+    window.command(Command::Duplicate);
+    window.select([Item::Sprite(model.id, model.boxes[0].id, 3)]);
+    window.command(Command::Delete);
+    window.select([2, 3].map(|at| Item::Box(model.id, model.boxes[at].id)));
+    window.command(Command::NewGroup);
+    window
+}
+
+type Choose = fn(&Scene) -> Vec<Item>;
+
+fn first_cloud(scene: &Scene) -> Vec<Item> {
+    vec![Item::Cloud(scene.clouds[0].id)]
+}
+
+fn all_clouds(scene: &Scene) -> Vec<Item> {
+    scene.clouds.iter().map(|cloud| Item::Cloud(cloud.id)).collect()
+}
+
+fn two_boxes(scene: &Scene) -> Vec<Item> {
+    let model = &scene.models[0];
+    model.boxes[..2].iter().map(|each| Item::Box(model.id, each.id)).collect()
+}
+
+fn the_model(scene: &Scene) -> Vec<Item> {
+    vec![Item::Model(scene.models[0].id)]
+}
+
+fn a_group(scene: &Scene) -> Vec<Item> {
+    vec![Item::Group(scene.models[0].id, scene.models[0].groups[0].id)]
+}
+
+#[test]
+fn each_command_and_its_way_back() {
+    // Models, clouds and boxes of the first model after it.
+    let cases: [(Command, Choose, [usize; 3]); 17] = [
+        (Command::Duplicate, all_clouds, [1, 4, 4]),
+        (Command::Duplicate, two_boxes, [1, 2, 6]),
+        (Command::DuplicateOwn, first_cloud, [2, 3, 4]),
+        (Command::MakeOwn, first_cloud, [2, 2, 4]),
+        (Command::MirrorX, two_boxes, [1, 2, 4]),
+        (Command::MirrorY, first_cloud, [1, 2, 4]),
+        (Command::MirrorZ, all_clouds, [1, 2, 4]),
+        (Command::Join, all_clouds, [1, 1, 8]),
+        (Command::Split, two_boxes, [3, 3, 4]),
+        (Command::Reroll, all_clouds, [1, 2, 4]),
+        (Command::Reroll, the_model, [1, 2, 4]),
+        (Command::Reroll, two_boxes, [1, 2, 4]),
+        (Command::ResetSprites, two_boxes, [1, 2, 4]),
+        (Command::AutoGroup, first_cloud, [1, 2, 4]),
+        (Command::Delete, a_group, [1, 2, 4]),
+        (Command::Delete, first_cloud, [1, 1, 4]),
+        (Command::Delete, the_model, [0, 0, 0]),
+    ];
+    let mut window = two_clouds();
+    let (start, steps) = (window.file(), window.session().document().history().len());
+    for (command, choose, wanted) in cases {
+        let items = choose(window.scene());
+        window.select(items);
+        assert!(window.harness.state().can(command), "{command:?}");
+        window.command(command);
+        let scene = window.scene();
+        let boxes = scene.models.first().map_or(0, |model| model.boxes.len());
+        assert_eq!([scene.models.len(), scene.clouds.len(), boxes], wanted, "{command:?}");
+        let after = window.file();
+        assert_ne!(after, start, "{command:?}");
+        assert_eq!(window.session().document().history().len(), steps + 1, "{command:?} is one step");
+        assert_eq!(window.undo_name().as_deref(), Some(command.row().label()));
+        window.command(Command::Undo);
+        assert_eq!(window.file(), start, "{command:?}, undone");
+        window.command(Command::Redo);
+        assert_eq!(window.file(), after, "{command:?}, redone");
+        window.command(Command::Undo);
+    }
+}
+
+#[test]
+fn what_is_made_is_selected_and_what_cannot_be_is_told() {
+    let mut window = two_clouds();
+    let clouds = all_clouds(window.scene());
+    window.select(clouds.clone());
+    window.command(Command::DuplicateOwn);
+    let selected = window.harness.state().selection().items().to_vec();
+    assert_eq!(selected, all_clouds(window.scene())[2..]);
+    let joined = [selected[0], clouds[0]];
+    window.select(joined);
+    window.command(Command::Join);
+    assert_eq!(window.harness.state().selection().items(), [clouds[0]], "the primary stays");
+
+    let model = window.scene().models[0].clone();
+    window.select(model.boxes.iter().map(|each| Item::Box(model.id, each.id)));
+    let before = window.file();
+    window.command(Command::Split);
+    assert_eq!(window.file(), before);
+    assert!(window.shows("but not all"));
+}
+
+#[test]
+fn other_dice_other_sprites() {
+    let mut window = Window::open();
+    window.settle();
+    let positions = |window: &Window| {
+        let sprites = &window.session().derived().clouds()[0].sprites;
+        sprites.iter().map(|sprite| (sprite.box_id, sprite.position)).collect::<Vec<_>>()
+    };
+    let start = (window.file(), positions(&window));
+    let choices: [Choose; 3] = [first_cloud, the_model, |scene| two_boxes(scene)[..1].to_vec()];
+    for choose in choices {
+        let items = choose(window.scene());
+        window.select(items);
+        window.press("Re-roll");
+        assert_ne!(positions(&window), start.1);
+        window.press("Undo");
+        assert_eq!((window.file(), positions(&window)), start);
+    }
+    // Of several, each gets a roll of its own.
+    let items = two_boxes(window.scene());
+    window.select(items);
+    window.press("Re-roll");
+    let boxes = &window.scene().models[0].boxes;
+    assert!(boxes[0].key.is_some() && boxes[1].key.is_some() && boxes[0].key != boxes[1].key);
+}
+
+#[test]
+fn many_placements_show_while_they_are_chosen() {
+    let mut window = Window::open();
+    window.settle();
+    let (start, items) = (window.file(), first_cloud(window.scene()));
+    window.select(items);
+    window.command(Command::PlaceMany);
+    window.set("Placements", 7.0);
+    window.set("Altitude spread", 300.0);
+    assert_eq!(window.session().derived().clouds().len(), 8, "they are shown");
+    let shown = window.scene().clouds[1..].to_vec();
+    window.press("Re-roll the placements");
+    assert_ne!(window.scene().clouds[1..], shown);
+    window.set("Placements", 0.0);
+    assert!(window.shows("outside 1 to 10000"));
+    window.press("Place");
+    assert_eq!((window.scene().clouds.len(), window.undo_name().as_deref()), (8, Some("Many placements")));
+    assert_eq!(window.harness.state().selection().clouds().count(), 7);
+    window.command(Command::Undo);
+    assert_eq!((window.file(), window.undo_name()), (start.clone(), None));
+
+    window.command(Command::PlaceMany);
+    // The cloud is selected no longer.
+    assert!(!window.shows("Many placements"));
+    let items = first_cloud(window.scene());
+    window.select(items);
+    window.command(Command::PlaceMany);
+    assert_ne!(window.file(), start);
+    window.keys(Modifiers::NONE, Key::Escape);
+    assert_eq!((window.file(), window.undo_name()), (start, None));
+    assert!(window.harness.query_by_role_and_label(Role::Button, "Place").is_none());
+}
+
+#[test]
+fn the_history_leads_anywhere() {
+    let mut window = Window::open();
+    window.settle();
+    let mut states = vec![window.file()];
+    let items = two_boxes(window.scene());
+    window.select(items);
+    for command in [Command::MirrorX, Command::Duplicate, Command::NewGroup] {
+        window.command(command);
+        states.push(window.file());
+    }
+    window.press("History 1: Mirror east–west");
+    assert_eq!(window.file(), states[1]);
+    window.press("History 3: New shading group");
+    assert_eq!(window.file(), states[3]);
+    window.press("History 0: As opened");
+    assert_eq!(window.file(), states[0]);
+    assert!(!window.session().document().is_modified());
+    window.press("Redo");
+    assert_eq!(window.file(), states[1], "what was jumped over can still be redone");
+}
