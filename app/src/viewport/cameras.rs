@@ -30,7 +30,7 @@ pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Option<
     let near = shown(screen, reading).filter_map(|camera| {
         let ends = [Vec3::ZERO, frame(screen, camera)?.ahead];
         let distances = ends.map(|end| {
-            let place = screen.project(screen.from_eye(camera.position) + end);
+            let place = screen.project(screen.relative(camera.position) + end);
             place.map_or(f32::INFINITY, |place| place.distance(at))
         });
         Some((distances[0].min(distances[1]), camera.id))
@@ -55,7 +55,7 @@ struct PictureFrame {
 }
 
 fn frame(screen: &Screen, camera: &Camera) -> Option<PictureFrame> {
-    screen.project(screen.from_eye(camera.position))?;
+    screen.project(screen.relative(camera.position))?;
     let seen = View::new(camera, 16, 9);
     let length = screen.metres_per_point(camera.position) as f32 * LENGTH;
     // A wide camera's picture is drawn nearer, so that it stays small.
@@ -67,7 +67,7 @@ fn frame(screen: &Screen, camera: &Camera) -> Option<PictureFrame> {
 
 fn frustum(painter: &Painter, screen: &Screen, camera: &Camera, stroke: Stroke) {
     let Some(PictureFrame { ahead, across, up }) = frame(screen, camera) else { return };
-    let eye = screen.from_eye(camera.position);
+    let eye = screen.relative(camera.position);
     let corners = [up - across, up + across, across - up, -across - up].map(|corner| eye + ahead + corner);
     let line = |a: Vec3, b: Vec3| {
         if let Some(ends) = screen.line(a, b) {

@@ -90,7 +90,7 @@ impl Faces {
         let (space, model, each) = the_box(reading)?;
         let mut clicked = None;
         let centers =
-            Face::all().map(|face| (face, screen.project(screen.from_eye(face.center_in_world(&space, each)))));
+            Face::all().map(|face| (face, screen.project(screen.relative(face.center_in_world(&space, each)))));
         let centers: Vec<(Face, Pos2)> = centers.filter_map(|(face, at)| Some((face, at?))).collect();
         let around = Rect::from_points(&centers.iter().map(|(_, at)| *at).collect::<Vec<_>>());
         if around.size().max_elem() < LEAST_BOX && self.held.is_none() {

@@ -167,7 +167,7 @@ fn orientation(targets: &Targets) -> GizmoOrientation {
 }
 
 fn is_before(screen: &Screen, targets: &Targets) -> bool {
-    screen.view.depth(screen.from_eye(targets.pivot)) > NEAR_M * 2.0
+    screen.view.depth(screen.relative(targets.pivot)) > NEAR_M * 2.0
 }
 
 /// The view from the eye, with near and far planes about the pivot, where the crate's arithmetic is best.
@@ -176,7 +176,7 @@ fn seen(screen: &Screen, pivot: DVec3) -> GizmoConfig {
     let row = |axis: glam::Vec3| [f64::from(axis.x), f64::from(axis.y), f64::from(axis.z), 0.0];
     let tan = f64::from(view.tan_half_height);
     let aspect = f64::from(view.width) / f64::from(view.height);
-    let depth = f64::from(view.depth(screen.from_eye(pivot)).max(NEAR_M));
+    let depth = f64::from(view.depth(screen.relative(pivot)).max(NEAR_M));
     let (near, far) = (depth * 0.01, depth * 10.0);
     let projection = [
         [1.0 / (tan * aspect), 0.0, 0.0, 0.0],

@@ -74,7 +74,7 @@ fn mesh(screen: &Screen, reading: &Reading<'_>) -> Mesh {
     let mut mesh = Mesh::default();
     let mut selected = Vec::new();
     for (cloud, placed) in clouds {
-        let offset = screen.from_eye(placed.origin);
+        let offset = screen.relative(placed.origin);
         if !screen.view.sees_sphere(offset + placed.center, placed.reach) {
             continue;
         }

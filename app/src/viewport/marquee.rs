@@ -106,7 +106,7 @@ fn boxes_within(rect: Rect, screen: &Screen, reading: &Reading<'_>) -> Vec<Item>
 
 /// By the middle, or by half of the sprites.
 fn is_mostly_within(placed: &PlacedCloud, rect: Rect, screen: &Screen) -> bool {
-    let offset = screen.from_eye(placed.origin);
+    let offset = screen.relative(placed.origin);
     let holds = |point| screen.project(point).is_some_and(|at| rect.contains(at) && screen.rect.contains(at));
     if placed.sprites.is_empty() {
         return false;

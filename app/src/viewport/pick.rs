@@ -110,7 +110,7 @@ fn placed<'a>(reading: &Reading<'a>) -> impl Iterator<Item = (&'a Cloud, &'a Pla
 
 /// The sprites that a ray meets, with the depths.
 fn hits<'a>(placed: &'a PlacedCloud, ray: Vec3, screen: &Screen) -> impl Iterator<Item = (f32, &'a Sprite)> + use<'a> {
-    let offset = screen.from_eye(placed.origin);
+    let offset = screen.relative(placed.origin);
     let near = meets(ray, offset + placed.center, placed.reach).is_some();
     let sprites = if near { placed.sprites.as_slice() } else { &[] };
     sprites
@@ -197,7 +197,7 @@ pub(super) fn dots_on<'a>(
 ) -> impl Iterator<Item = (Pos2, f32, Picked)> + use<'a> {
     let view = reading.view;
     dots(reading).into_iter().flat_map(move |(cloud, placed)| {
-        let offset = screen.from_eye(placed.origin);
+        let offset = screen.relative(placed.origin);
         placed.sprites.iter().filter_map(move |sprite| {
             let its_box = Item::Box(cloud.model, sprite.box_id);
             if view.hidden.contains(&its_box) || view.locked.contains(&its_box) {

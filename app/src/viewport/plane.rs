@@ -26,7 +26,7 @@ pub(super) fn paint_patch(painter: &Painter, screen: &Screen, space: &ModelSpace
     let step_m = round_step(distance_m * 0.025, least_step_m);
     let radius_m = step_m * f64::from(LINES);
     let local = space.turn.conjugate() * (middle - space.origin);
-    let to_eye = |x: f64, z: f64| screen.from_eye(space.origin + space.turn * DVec3::new(x, local.y, z));
+    let to_eye = |x: f64, z: f64| screen.relative(space.origin + space.turn * DVec3::new(x, local.y, z));
     let (first_x, first_z) = ((local.x / step_m).round(), (local.z / step_m).round());
     for line in -LINES..=LINES {
         for along_x in [true, false] {

@@ -27,8 +27,8 @@ impl Screen {
         self.view.ray(at.x - self.rect.left(), at.y - self.rect.top())
     }
 
-    /// A place in the world from the eye. The subtraction is in f64, so it is exact far from the origin.
-    pub(super) fn from_eye(&self, place: DVec3) -> Vec3 {
+    /// A place in the world relative to the eye. The subtraction is in f64, so it is exact far from the origin.
+    pub(super) fn relative(&self, place: DVec3) -> Vec3 {
         (place - self.view.eye).as_vec3()
     }
 
@@ -39,12 +39,12 @@ impl Screen {
 
     /// Where a place in the world shows within the rectangle.
     pub(super) fn find(&self, place: DVec3) -> Option<Pos2> {
-        self.project(self.from_eye(place)).filter(|at| self.rect.contains(*at))
+        self.project(self.relative(place)).filter(|at| self.rect.contains(*at))
     }
 
     /// Metres that a point of the window covers at a place in the world; the near plane's at least.
     pub(super) fn metres_per_point(&self, place: DVec3) -> f64 {
-        f64::from(self.view.depth(self.from_eye(place)).max(NEAR_M)) * f64::from(self.view.pixel())
+        f64::from(self.view.depth(self.relative(place)).max(NEAR_M)) * f64::from(self.view.pixel())
     }
 
     /// The part of an eye-relative line that shows.

@@ -82,7 +82,7 @@ fn outline(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox, s
     let corner = |i: usize| {
         let sign = |bit: usize| if i & bit == 0 { -0.5 } else { 0.5 };
         let in_box = each.size * DVec3::new(sign(1), sign(2), sign(4));
-        screen.from_eye(space.to_world(each.center + each.orientation * in_box))
+        screen.relative(space.to_world(each.center + each.orientation * in_box))
     };
     let corners: [Vec3; 8] = std::array::from_fn(corner);
     // In the box's own axes, from its middle: which faces the eye sees.
