@@ -21,6 +21,8 @@ pub(crate) enum Action {
     },
     /// Stop the work that is pending, and take back what asked for it.
     CancelPending,
+    /// Take the open gesture back.
+    DropGesture,
     /// Choose something.
     Select {
         /// What.

@@ -28,8 +28,9 @@ mod window;
 pub(crate) use action::{Action, ViewChange};
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
-pub(crate) use selection::{box_of, camera_of, group_of, model_of};
+pub(crate) use selection::{box_of, camera_of, group_of};
 pub use session::{Pending, Session};
+pub(crate) use starter::placement;
 pub(crate) use starter::scene as starter_scene;
 pub use view::{Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
@@ -171,9 +172,9 @@ impl Editor {
         }
     }
 
-    /// A gesture ends when no button is down, whichever widget it began in.
+    /// A gesture ends when no button is down, whichever widget it began in; but for a tool's that goes on till a click.
     fn end_gesture_on_release(&mut self, context: &egui::Context) {
-        if context.input(|input| input.pointer.any_down()) {
+        if context.input(|input| input.pointer.any_down()) || self.viewport.holds_gesture() {
             return;
         }
         self.gesture_dropped = false;

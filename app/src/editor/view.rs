@@ -1,6 +1,7 @@
 //! How the scene is looked at and worked on: selection, tool, what is hidden. Never saved, never undone.
 
 use super::selection::{Item, Selection, is_in};
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::scene::{Cloud, Scene};
 use std::collections::BTreeSet;
 
@@ -105,6 +106,16 @@ impl ViewState {
             && (self.solo.is_empty() || self.solo.contains(&item))
     }
 
+    /// What the renderers leave out.
+    pub(crate) fn hidden_in(&self, scene: &Scene) -> Hidden {
+        if self.hidden.is_empty() && self.solo.is_empty() {
+            return Hidden::default();
+        }
+        let clouds = scene.clouds.iter().filter(|cloud| !self.shows(cloud));
+        let boxes = self.hidden.iter().filter_map(|item| if let Item::Box(_, id) = item { Some(*id) } else { None });
+        Hidden { clouds: clouds.map(|cloud| cloud.id).collect(), boxes: boxes.collect() }
+    }
+
     /// Whether the pointer may pick `cloud`.
     pub fn can_pick(&self, cloud: &Cloud) -> bool {
         self.shows(cloud)
@@ -118,5 +129,31 @@ impl ViewState {
         for set in [&mut self.hidden, &mut self.locked, &mut self.solo] {
             set.retain(|item| is_in(*item, scene));
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::starter_scene;
+
+    #[test]
+    fn what_is_hidden_is_not_drawn() {
+        let mut scene = starter_scene();
+        let mut other = scene.clouds[0].clone();
+        other.id = cloudwright_core::scene::CloudId::new(&mut scene.next_id);
+        scene.clouds.push(other);
+        let [one, two] = [0, 1].map(|i| scene.clouds[i].id);
+        let mut view = ViewState::default();
+        assert_eq!(view.hidden_in(&scene), Hidden::default());
+        let (model, box_id) = (scene.models[0].id, scene.models[0].boxes[1].id);
+        view.hidden.extend([Item::Cloud(two), Item::Box(model, box_id)]);
+        let hidden = view.hidden_in(&scene);
+        assert_eq!((hidden.clouds, hidden.boxes), ([two].into(), [box_id].into()));
+        view.hidden = [Item::Model(model)].into();
+        assert_eq!(view.hidden_in(&scene).clouds, [one, two].into(), "a model hides all its clouds");
+        view.hidden.clear();
+        view.solo.insert(Item::Cloud(two));
+        assert_eq!(view.hidden_in(&scene).clouds, [one].into());
     }
 }

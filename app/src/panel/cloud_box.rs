@@ -8,7 +8,7 @@ use crate::command::Command;
 use crate::editor::{Action, Item};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
-use cloudwright_core::scene::{Category, CloudBox, CloudModel, GroupId, ModelId};
+use cloudwright_core::scene::{CloudBox, CloudModel, GroupId, ModelId};
 use egui::Ui;
 use glam::{DQuat, EulerRot};
 

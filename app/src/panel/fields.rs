@@ -19,7 +19,7 @@ use egui::{Grid, Response, RichText, Ui};
 use glam::DVec3;
 use std::any::Any;
 
-pub(super) use number::number_field;
+pub(crate) use number::number_field;
 
 /// What was changed in the thing that is shown: names and values.
 type Record = Vec<(String, Box<dyn Any>)>;
@@ -198,6 +198,6 @@ pub(super) fn heading(ui: &mut Ui, text: &str) {
 }
 
 /// What screen readers call it, and tests.
-pub(super) fn name_it(ui: &Ui, response: &Response, name: &str) {
+pub(crate) fn name_it(ui: &Ui, response: &Response, name: &str) {
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(name));
 }

@@ -23,6 +23,7 @@ mod sky;
 mod status;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
+pub(crate) use fields::{name_it, number_field};
 pub(crate) use palette::Palette;
 pub(crate) use place_many::{ask_place_many, default_places};
 pub use preset_gallery::{category_gallery, preset_gallery};

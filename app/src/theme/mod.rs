@@ -64,6 +64,40 @@ pub(crate) const SELECTED_BOX: Stroke = Stroke { width: 1.5, color: Color32::fro
 pub(crate) const RELATED_BOX: Stroke = Stroke { width: 1.0, color: Color32::from_rgb(255, 214, 150) };
 /// Any other box.
 pub(crate) const OTHER_BOX: Stroke = Stroke { width: 1.0, color: Color32::from_rgba_premultiplied(28, 52, 88, 130) };
+/// A camera in the viewport.
+pub(crate) const CAMERA: Stroke = Stroke { width: 1.2, color: Color32::from_rgb(200, 224, 255) };
+/// Under bright lines, so that they are seen on bright clouds.
+pub(crate) const CASING: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 90);
+/// Of an edge's opacity: behind its own box.
+pub(crate) const FAR_EDGE: f32 = 0.4;
+/// A sprite that is marked.
+pub(crate) const SPRITE_MARK: Color32 = Color32::from_rgb(120, 214, 255);
+/// Of a tint's opacity: a sprite's quad in the group view.
+pub(crate) const GROUP_FILL: f32 = 0.18;
+/// Of a mark's opacity: a sprite's outline.
+pub(crate) const SPRITE_OUTLINE: f32 = 0.55;
+/// The plane that the box tool draws on.
+pub(crate) const GRID: Stroke = Stroke { width: 1.0, color: Color32::from_rgba_premultiplied(120, 132, 148, 150) };
+/// What a marquee covers.
+pub(crate) const MARQUEE_FILL: Color32 = Color32::from_rgba_premultiplied(20, 34, 52, 60);
+/// Around a marquee.
+pub(crate) const MARQUEE: Stroke = Stroke { width: 1.0, color: Color32::from_rgb(150, 200, 255) };
+/// East, up and south.
+pub(crate) const AXIS_X: Color32 = Color32::from_rgb(236, 74, 86);
+/// East, up and south.
+pub(crate) const AXIS_Y: Color32 = Color32::from_rgb(98, 196, 76);
+/// East, up and south.
+pub(crate) const AXIS_Z: Color32 = Color32::from_rgb(62, 134, 246);
+/// Across the view.
+pub(crate) const AXIS_VIEW: Color32 = Color32::from_rgb(240, 240, 244);
+/// A handle under the pointer.
+pub(crate) const GIZMO_HOVERED: Color32 = Color32::from_rgb(255, 224, 96);
+/// Points.
+pub(crate) const GIZMO_WIDTH: f32 = 3.5;
+/// From its middle to an arrow's tip, points.
+pub(crate) const GIZMO_SIZE: f32 = 84.0;
+/// Around a handle.
+pub(crate) const HANDLE_RIM: Stroke = Stroke { width: 1.0, color: Color32::from_rgb(40, 26, 6) };
 /// Behind text in the viewport.
 pub(crate) const VIEWPORT_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 110);
 /// Text in the viewport, on that shade.
@@ -170,6 +204,19 @@ pub(crate) fn dialog(context: &Context) -> Frame {
 /// Around a picture that is chosen, or that the keyboard is at.
 pub(crate) fn chosen_picture(ui: &Ui) -> Stroke {
     Stroke::new(2.0, ui.visuals().selection.stroke.color)
+}
+
+/// Controls that stand in the viewport.
+pub(crate) fn overlay(ui: &Ui) -> Frame {
+    Frame::new()
+        .fill(ui.visuals().panel_fill.gamma_multiply(0.92))
+        .corner_radius(6)
+        .inner_margin(Margin::symmetric(6, 4))
+}
+
+/// What goes under a line, so that it is seen on bright clouds.
+pub(crate) fn casing(stroke: Stroke) -> Stroke {
+    Stroke { width: stroke.width + 2.0, color: CASING }
 }
 
 /// What is worth a look.

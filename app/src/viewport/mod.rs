@@ -1,32 +1,55 @@
 //! The viewport: the picture, what is drawn over it, and the hands on it.
 //!
 //! The camera here is the editor's own; a saved camera changes only when the user says so. The picture comes from
-//! [`picture`], which draws off the frame; boxes are painted over it at once.
+//! [`picture`], which draws off the frame; boxes, marks and handles are painted over it at once. The primary button
+//! belongs to the tool, the others move the view ([`steer`]).
 
+mod bounds;
+mod box_tool;
+mod cameras;
+mod faces;
+mod gizmo;
+mod marks;
+mod marquee;
 mod navigation;
+mod overlay;
 mod pick;
 mod picture;
+mod plane;
+mod screen;
+mod steer;
+mod targets;
 mod wireframe;
 
-use crate::editor::{Action, Choose, Selection, Session};
+use crate::editor::{Action, Choose, Selection, Session, Tool};
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
-use crate::theme;
+use box_tool::BoxTool;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::Camera;
 use eframe::egui_wgpu::RenderState;
-use egui::{
-    Align2, Color32, EventFilter, FontId, Key, Modifiers, PointerButton, Rect, Response, Sense, Ui, pos2, vec2,
-};
-use glam::{DVec3, Vec3};
+use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, pos2};
+use faces::Faces;
+use gizmo::GizmoHands;
+use glam::DVec3;
+use marks::Marks;
+use marquee::Marquee;
 use navigation::Navigation;
+use pick::{Clicks, Picked};
 use picture::PictureSource;
+use screen::Screen;
 use std::time::Duration;
 
 /// How the scene is looked at.
 pub(crate) struct Viewport {
     navigation: Navigation,
     picture: PictureSource,
+    marks: Marks,
+    clicks: Clicks,
+    marquee: Marquee,
+    gizmo: GizmoHands,
+    faces: Faces,
+    box_tool: BoxTool,
 }
 
 impl Viewport {
@@ -40,6 +63,12 @@ impl Viewport {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             picture: PictureSource::new(context, choice, device),
+            marks: Marks::default(),
+            clicks: Clicks::default(),
+            marquee: Marquee::default(),
+            gizmo: GizmoHands::default(),
+            faces: Faces::default(),
+            box_tool: BoxTool::default(),
         };
         viewport.see(session);
         viewport
@@ -66,7 +95,7 @@ impl Viewport {
 
     /// Brings a selection into view; all clouds for nothing.
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
-        if let Some((center, radius)) = pick::bounds(selection, session) {
+        if let Some((center, radius)) = bounds::bounds(selection, session) {
             self.navigation.frame(center, radius);
         }
     }
@@ -96,91 +125,108 @@ impl Viewport {
         self.picture.overdraw()
     }
 
-    pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-        let session = reading.session;
-        let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Viewport"));
-        // In points: navigation and outlines don't care how fine the picture is.
-        let view = |camera: &Camera| View::new(camera, rect.width() as u32, rect.height() as u32);
-        self.navigate(ui, &response, &view(self.navigation.camera()), session);
-        let view = view(self.navigation.camera());
-        if response.clicked()
-            && let Some(at) = response.interact_pointer_pos()
-        {
-            let ray = ray_at(&view, rect, at);
-            let picked = pick::pick(&view, ray, reading);
-            let items = picked.map(|(item, _)| item).into_iter().collect();
-            actions.push(Action::Select { items, through: picked.map(|(_, cloud)| cloud), how: Choose::Only });
-        }
-        let quick = response.dragged() || session.document().is_open();
-        let pixels = (rect.size() * ui.pixels_per_point()).round();
-        self.picture.ask(session, self.navigation.camera(), [pixels.x as u32, pixels.y as u32], quick);
-        let painter = ui.painter_at(rect);
-        match self.picture.texture() {
-            Some(texture) => {
-                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.image(texture, rect, whole, Color32::WHITE);
-            }
-            None => {
-                painter.rect_filled(rect, 0.0, ui.visuals().extreme_bg_color);
-            }
-        }
-        wireframe::paint(&painter, rect, &view, session.scene(), reading.view);
-        hint(&painter, rect);
+    /// Whether a tool goes on with its gesture though no button is down.
+    pub(crate) fn holds_gesture(&self) -> bool {
+        self.box_tool.holds_gesture()
     }
 
-    fn navigate(&mut self, ui: &Ui, response: &Response, view: &View, session: &Session) {
-        let shift = ui.input(|input| input.modifiers.shift);
-        let by = |button| response.dragged_by(button);
-        let moved = response.drag_delta();
-        if by(PointerButton::Secondary) || (shift && (by(PointerButton::Primary) || by(PointerButton::Middle))) {
-            self.navigation.pan(moved, view);
-        } else if by(PointerButton::Primary) || by(PointerButton::Middle) {
-            self.navigation.orbit(moved);
-        }
-        if response.hovered()
-            && let Some(at) = response.hover_pos()
-        {
-            let turned = ui.input(|input| input.smooth_scroll_delta().y + 100.0 * (input.zoom_delta() - 1.0));
-            if turned != 0.0 {
-                let ray = ray_at(view, response.rect, at);
-                let depth = pick::depth(view, ray, session).unwrap_or(self.navigation.distance() as f32);
-                self.navigation.zoom(turned, ray * depth);
-            }
-        }
+    pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+        let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Viewport"));
         if response.clicked() || response.drag_started() {
             response.request_focus();
         }
-        // The keyboard's way, for who has no wheel.
-        if response.has_focus() {
-            let arrows = EventFilter { horizontal_arrows: true, vertical_arrows: true, ..EventFilter::default() };
-            ui.memory_mut(|memory| memory.set_focus_lock_filter(response.id, arrows));
-            let step = |plus: Key, minus: Key| {
-                ui.input_mut(|input| {
-                    f32::from(input.consume_key(Modifiers::NONE, plus))
-                        - f32::from(input.consume_key(Modifiers::NONE, minus))
-                })
-            };
-            let turn = vec2(step(Key::ArrowRight, Key::ArrowLeft), step(Key::ArrowDown, Key::ArrowUp)) * 20.0;
-            self.navigation.orbit(turn);
-            let closer = step(Key::Plus, Key::Minus) * 50.0;
-            if closer != 0.0 {
-                self.navigation.zoom(closer, view.forward * self.navigation.distance() as f32);
+        if !self.gizmo.is_held() && !self.marquee.is_on() {
+            let screen = Screen::new(self.camera(), rect);
+            steer::steer(&mut self.navigation, ui, &response, &screen, reading);
+        }
+        let screen = Screen::new(self.camera(), rect);
+        let painter = ui.painter_at(rect);
+        self.paint_picture(ui, &response, &painter, reading);
+        self.marks.paint(&painter, &screen, reading);
+        wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
+        cameras::paint(&painter, &screen, reading);
+        self.work(ui, &response, &painter, &screen, reading, actions);
+        overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
+        overlay::show(ui, rect, reading, actions);
+    }
+
+    fn paint_picture(&mut self, ui: &Ui, response: &Response, painter: &Painter, reading: &Reading<'_>) {
+        let session = reading.session;
+        let quick = (response.dragged() && !self.marquee.is_on()) || session.document().is_open();
+        let pixels = (response.rect.size() * ui.pixels_per_point()).round();
+        let size = [pixels.x as u32, pixels.y as u32];
+        let hidden = reading.view.hidden_in(session.scene());
+        self.picture.ask(session, self.navigation.camera(), size, quick, hidden);
+        match self.picture.texture() {
+            Some(texture) => {
+                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
+                painter.image(texture, response.rect, whole, Color32::WHITE);
+            }
+            None => {
+                painter.rect_filled(response.rect, 0.0, ui.visuals().extreme_bg_color);
             }
         }
     }
-}
 
-/// Through a point of the window; as long as [`View::ray`] says.
-fn ray_at(view: &View, rect: Rect, at: egui::Pos2) -> Vec3 {
-    view.ray(at.x - rect.left(), at.y - rect.top())
-}
+    /// The tools: who gets the primary button is decided when it goes down.
+    fn work(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        painter: &Painter,
+        screen: &Screen,
+        reading: &Reading<'_>,
+        actions: &mut Vec<Action>,
+    ) {
+        if reading.view.tool == Tool::Box {
+            let looked_at = self.looked_at();
+            if response.hovered() {
+                ui.ctx().set_cursor_icon(CursorIcon::Crosshair);
+            }
+            self.box_tool.show(ui, response, painter, screen, looked_at, reading, actions);
+            return;
+        }
+        self.box_tool.leave();
+        let on_face = self.faces.show(ui, painter, screen, reading, actions);
+        let gizmo_has_pointer = self.gizmo.show(ui, response, painter, screen, reading, actions);
+        let (modifiers, pressed) = ui.input(|input| (input.modifiers, input.pointer.primary_pressed()));
+        if pressed
+            && response.contains_pointer()
+            && !gizmo_has_pointer
+            && !modifiers.alt
+            && let Some(at) = response.interact_pointer_pos().or(response.hover_pos())
+        {
+            self.marquee.begin(at);
+        }
+        self.marquee.show(ui, painter, screen, reading, actions);
+        let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
+        if let Some(at) = clicked.or(on_face)
+            && !gizmo_has_pointer
+            && !modifiers.alt
+        {
+            self.click(at, marquee::how(modifiers, Choose::Toggle), screen, reading, actions);
+        }
+    }
 
-fn hint(painter: &egui::Painter, rect: Rect) {
-    const TEXT: &str = "drag: turn   shift or right drag: move   wheel: nearer   F: frame";
-    let at = rect.left_bottom() + vec2(theme::VIEWPORT_MARGIN, -theme::VIEWPORT_MARGIN);
-    let galley = painter.layout_no_wrap(TEXT.into(), FontId::proportional(11.0), theme::VIEWPORT_TEXT);
-    let text_rect = Align2::LEFT_BOTTOM.anchor_size(at, galley.size());
-    painter.rect_filled(text_rect.expand2(vec2(6.0, 3.0)), 4.0, theme::VIEWPORT_SHADE);
-    painter.galley(text_rect.min, galley, theme::VIEWPORT_TEXT);
+    fn click(
+        &mut self,
+        at: egui::Pos2,
+        how: Choose,
+        screen: &Screen,
+        reading: &Reading<'_>,
+        actions: &mut Vec<Action>,
+    ) {
+        let picked = if how == Choose::Only {
+            self.clicks.pick(at, screen, self.navigation.camera(), reading)
+        } else {
+            let under = pick::under(at, screen, reading);
+            under.get(pick::first(&under, reading)).copied()
+        };
+        match picked {
+            Some(Picked { item, through }) => actions.push(Action::Select { items: vec![item], through, how }),
+            None if how == Choose::Only => actions.push(Action::Select { items: Vec::new(), through: None, how }),
+            None => {}
+        }
+    }
 }

@@ -10,6 +10,7 @@ use crate::editor::Session;
 use crate::renderer::RendererChoice;
 use by_cpu::ByCpu;
 use by_gpu::ByGpu;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::scene::Camera;
 use cloudwright_core::version::Version;
 use eframe::egui_wgpu::RenderState;
@@ -28,6 +29,7 @@ struct Key {
     revision: Version,
     camera: Camera,
     size: [u32; 2],
+    hidden: Hidden,
 }
 
 /// Draws the viewport's pictures.
@@ -79,24 +81,24 @@ impl PictureSource {
     }
 
     /// Has a picture of `size` pixels drawn if it would be another than the last one. While a hand moves something,
-    /// `quick` lets a slow renderer draw less.
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], quick: bool) {
+    /// `quick` lets a slow renderer draw less. What is `hidden` is left out.
+    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], quick: bool, hidden: Hidden) {
         self.coarseness = match &self.source {
             Source::Cpu(cpu) if quick => coarseness(self.coarseness, cpu.last()),
             _ => 1,
         };
         let size = size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
-        let key = Key { revision: session.revision(), camera: camera.clone(), size };
+        let key = Key { revision: session.revision(), camera: camera.clone(), size, hidden };
         if self.asked.as_ref() == Some(&key) {
             return;
         }
         match &mut self.source {
-            Source::Cpu(cpu) => cpu.ask(session, camera, size, self.coarseness),
+            Source::Cpu(cpu) => cpu.ask(session, camera, size, self.coarseness, &key.hidden),
             Source::Gpu(gpu) => {
-                if let Err(error) = gpu.draw(session, camera, size) {
+                if let Err(error) = gpu.draw(session, camera, size, &key.hidden) {
                     let mut cpu = ByCpu::new(&self.context);
                     cpu.explain(&error);
-                    cpu.ask(session, camera, size, self.coarseness);
+                    cpu.ask(session, camera, size, self.coarseness, &key.hidden);
                     self.source = Source::Cpu(cpu);
                 }
             }

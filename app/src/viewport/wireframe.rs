@@ -1,34 +1,57 @@
-//! Outlines of boxes, painted over the picture: in the world, cut off at the near plane and at the viewport's rim.
+//! Outlines of boxes, painted over the picture. Edges behind their own box are fainter.
 
+use super::screen::Screen;
 use crate::editor::{Item, ViewState};
 use crate::theme;
-use cloudwright_core::camera::{NEAR_M, View};
+use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::scene::{Cloud, CloudBox, Scene};
-use egui::{Painter, Pos2, Rect, Stroke, pos2};
-use glam::{DQuat, DVec3, Vec3};
+use cloudwright_core::sprites::GroupKey;
+use egui::{Color32, Painter, Stroke};
+use glam::{DVec3, Vec3};
 
-/// Corner indices: bit 0 is x, bit 1 y, bit 2 z.
+/// Corner indices: bit 0 is x, bit 1 y, bit 2 z. Four edges along each axis.
 const EDGES: [(usize, usize); 12] =
     [(0, 1), (2, 3), (4, 5), (6, 7), (0, 2), (1, 3), (4, 6), (5, 7), (0, 4), (1, 5), (2, 6), (3, 7)];
 
 /// Paints the boxes that the selection asks for, and all if the view says so.
-pub(super) fn paint(painter: &Painter, rect: Rect, view: &View, scene: &Scene, state: &ViewState) {
+pub(super) fn paint(painter: &Painter, screen: &Screen, scene: &Scene, state: &ViewState) {
     // What is selected comes last, on top.
     let mut on_top = Vec::new();
     for cloud in scene.clouds.iter().filter(|cloud| state.shows(cloud)) {
         let Some(model) = scene.model(cloud.model) else { continue };
         for each in &model.boxes {
-            match stroke_of(cloud, each, state) {
-                Some(stroke) => on_top.push((cloud, each, stroke)),
-                None if state.show_all_boxes => outline(painter, rect, view, cloud, each, theme::OTHER_BOX),
-                None => {}
+            if state.hidden.contains(&Item::Box(model.id, each.id)) {
+                continue;
+            }
+            let other = (state.show_all_boxes || state.group_view).then_some(theme::OTHER_BOX);
+            let stroke = stroke_of(cloud, each, state);
+            let tint = state.group_view.then(|| tint(each));
+            let tinted = |stroke: Stroke| Stroke { color: tint.unwrap_or(stroke.color), ..stroke };
+            match (stroke, other) {
+                (Some(stroke), _) => on_top.push((cloud, each, tinted(stroke))),
+                (None, Some(other)) => outline(painter, screen, cloud, each, tinted(other)),
+                (None, None) => {}
             }
         }
     }
-    on_top.sort_by_key(|(.., stroke)| *stroke == theme::SELECTED_BOX);
+    on_top.sort_by(|a, b| a.2.width.total_cmp(&b.2.width));
     for (cloud, each, stroke) in on_top {
-        outline(painter, rect, view, cloud, each, stroke);
+        if stroke.width >= theme::SELECTED_BOX.width {
+            outline(painter, screen, cloud, each, theme::casing(stroke));
+        }
+        outline(painter, screen, cloud, each, stroke);
     }
+}
+
+/// Paints a box as a selected one.
+pub(super) fn paint_selected(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox) {
+    outline(painter, screen, cloud, each, theme::casing(theme::SELECTED_BOX));
+    outline(painter, screen, cloud, each, theme::SELECTED_BOX);
+}
+
+/// A box's tint: that of the group it shares, or of its own.
+fn tint(each: &CloudBox) -> Color32 {
+    theme::tint_of(each.group.map_or(GroupKey::Lump(each.id, 0), GroupKey::Named))
 }
 
 /// How a box stands out; none for one that has nothing to do with the selection.
@@ -41,89 +64,41 @@ fn stroke_of(cloud: &Cloud, each: &CloudBox, state: &ViewState) -> Option<Stroke
         }
         _ => None,
     });
-    strokes.max_by_key(|stroke| *stroke == theme::SELECTED_BOX)
+    strokes.max_by(|a, b| a.width.total_cmp(&b.width))
 }
 
-/// A point of a cloud's model in the world.
-pub(super) fn to_world(cloud: &Cloud, point: DVec3) -> DVec3 {
-    // Headings turn clockwise from above, which is negative about +y.
-    DQuat::from_rotation_y(-cloud.heading_deg.to_radians()) * (point * cloud.scale) + cloud.position
+/// Whether the pointer's aim includes a cloud's boxes: they are drawn.
+pub(super) fn shows_boxes_of(cloud: &Cloud, state: &ViewState) -> bool {
+    let about = |item: &Item| match *item {
+        Item::Cloud(id) => id == cloud.id,
+        Item::Model(of) | Item::Box(of, _) | Item::Sprite(of, ..) | Item::Group(of, _) => of == cloud.model,
+        Item::Camera(_) => false,
+    };
+    state.show_all_boxes || state.group_view || state.selection.items().iter().any(about)
 }
 
-fn outline(painter: &Painter, rect: Rect, view: &View, cloud: &Cloud, each: &CloudBox, stroke: Stroke) {
+fn outline(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox, stroke: Stroke) {
+    let space = ModelSpace::of(cloud);
     let corner = |i: usize| {
         let sign = |bit: usize| if i & bit == 0 { -0.5 } else { 0.5 };
         let in_box = each.size * DVec3::new(sign(1), sign(2), sign(4));
-        (to_world(cloud, each.center + each.orientation * in_box) - view.eye).as_vec3()
+        screen.relative(space.to_world(each.center + each.orientation * in_box))
     };
     let corners: [Vec3; 8] = std::array::from_fn(corner);
-    for (a, b) in EDGES {
-        if let Some([from, to]) = on_screen(view, rect, corners[a], corners[b]) {
-            painter.line_segment([from, to], stroke);
-        }
-    }
-}
-
-/// The part of an eye-relative edge that shows.
-fn on_screen(view: &View, rect: Rect, a: Vec3, b: Vec3) -> Option<[Pos2; 2]> {
-    let (a, b) = before_near_plane(view, a, b)?;
-    let to_screen = |p: Vec3| view.project(p).map(|at| pos2(rect.left() + at.x, rect.top() + at.y));
-    within(rect, to_screen(a)?, to_screen(b)?)
-}
-
-/// Cut where it passes the near plane; a hair's breadth before it, so that rounding can't put the end behind.
-fn before_near_plane(view: &View, a: Vec3, b: Vec3) -> Option<(Vec3, Vec3)> {
-    const NEAR: f32 = NEAR_M * 1.001;
-    let (depth_a, depth_b) = (view.depth(a), view.depth(b));
-    let cut = || a + (b - a) * ((NEAR - depth_a) / (depth_b - depth_a));
-    match (depth_a >= NEAR, depth_b >= NEAR) {
-        (true, true) => Some((a, b)),
-        (true, false) => Some((a, cut())),
-        (false, true) => Some((cut(), b)),
-        (false, false) => None,
-    }
-}
-
-/// The part of a line within a rectangle (Liang and Barsky): near the eye its ends lie millions of points away.
-fn within(rect: Rect, a: Pos2, b: Pos2) -> Option<[Pos2; 2]> {
-    let delta = b - a;
-    let (mut enter, mut leave) = (0.0_f32, 1.0_f32);
-    for (step, to_edge) in [
-        (-delta.x, a.x - rect.left()),
-        (delta.x, rect.right() - a.x),
-        (-delta.y, a.y - rect.top()),
-        (delta.y, rect.bottom() - a.y),
-    ] {
-        if step == 0.0 {
-            if to_edge < 0.0 {
-                return None;
-            }
-        } else if step < 0.0 {
-            enter = enter.max(to_edge / step);
-        } else {
-            leave = leave.min(to_edge / step);
-        }
-    }
-    (enter <= leave).then(|| [a + delta * enter, a + delta * leave])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use cloudwright_core::scene::Camera;
-
-    #[test]
-    fn edges_are_cut_at_the_near_plane_and_the_rim() {
-        let rect = Rect::from_min_max(pos2(10.0, 20.0), pos2(110.0, 120.0));
-        let view = View::new(&Camera::free(DVec3::ZERO), 100, 100);
-        let ahead = |x: f32, y: f32, depth: f32| Vec3::new(x, y, -depth);
-        let seen = on_screen(&view, rect, ahead(-1.0, 0.0, 10.0), ahead(1.0, 0.0, 10.0)).expect("in view");
-        assert!((seen[0].y - 70.0).abs() < 1e-3 && seen[0].x < seen[1].x);
-        assert!(on_screen(&view, rect, ahead(0.0, 0.0, -5.0), ahead(1.0, 0.0, -1.0)).is_none(), "behind the eye");
-        assert!(on_screen(&view, rect, ahead(9e3, 0.0, 10.0), ahead(8e3, 0.0, 10.0)).is_none(), "beside the picture");
-        let through = on_screen(&view, rect, ahead(0.5, 0.2, 10.0), ahead(0.5, 0.2, -10.0)).expect("partly in view");
-        for end in through {
-            assert!(rect.expand(0.01).contains(end), "{end}");
+    // In the box's own axes, from its middle: which faces the eye sees.
+    let eye = each.orientation.conjugate() * (space.from_world(screen.view.eye) - each.center);
+    let far = Stroke { color: stroke.color.gamma_multiply(theme::FAR_EDGE), ..stroke };
+    for (i, (a, b)) in EDGES.into_iter().enumerate() {
+        let axis = i / 4;
+        let is_seen = |across: usize| {
+            let positive = a & (1 << across) != 0;
+            let half = each.size[across] * 0.5;
+            if positive { eye[across] > half } else { eye[across] < -half }
+        };
+        let near = (0..3).filter(|across| *across != axis).any(is_seen);
+        let inside = (0..3).all(|axis| eye[axis].abs() <= each.size[axis] * 0.5);
+        if let Some(line) = screen.line(corners[a], corners[b]) {
+            painter.line_segment(line, if near || inside { stroke } else { far });
         }
     }
 }

@@ -13,6 +13,7 @@ mod off_frame;
 mod on_disk;
 mod recovery;
 mod remembering;
+mod tools;
 mod viewing;
 mod walk;
 

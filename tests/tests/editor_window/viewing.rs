@@ -3,7 +3,7 @@
 use crate::Window;
 use cloudwright::editor::Item;
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, vec2};
+use egui::{Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::Queryable;
 
 #[test]
@@ -35,18 +35,28 @@ fn turning_the_view_is_no_change() {
     let mut window = Window::open();
     window.settle();
     let scene = window.scene().clone();
-    let middle = window.harness.get_by_label("Viewport").rect().center();
-    window.pointer(middle, Some(true));
-    window.pointer(middle + vec2(80.0, 30.0), None);
-    window.pointer(middle + vec2(120.0, 50.0), Some(false));
-    window.keys(Modifiers::SHIFT, Key::B);
-    window.settle();
-    assert_eq!(window.scene(), &scene);
-    assert!(!window.session().document().is_modified());
-    // The view turned: a camera put there sees something else than the scene's first.
-    window.press("Add camera");
-    let cameras = &window.scene().cameras;
-    assert!((cameras[1].heading_deg - cameras[0].heading_deg).abs() > 5.0);
+    let middle = window.viewport().center();
+    let (alt, none, shift) = (Modifiers::ALT, Modifiers::NONE, Modifiers::SHIFT);
+    for (button, modifiers, turns, moves) in [
+        (PointerButton::Middle, none, true, true),
+        (PointerButton::Primary, alt, true, true),
+        (PointerButton::Middle, shift, false, true),
+        (PointerButton::Secondary, none, false, true),
+        (PointerButton::Primary, none, false, false),
+    ] {
+        window.press("Cameras");
+        window.press("Look through main");
+        window.drag_with(button, modifiers, middle, vec2(120.0, 50.0));
+        window.keys(Modifiers::SHIFT, Key::B);
+        assert_eq!(window.scene(), &scene);
+        assert!(!window.session().document().is_modified());
+        // A camera put there tells how the view was moved.
+        window.press("Add camera");
+        let [main, new] = &window.scene().cameras[..] else { panic!("two cameras") };
+        assert_eq!((main.heading_deg - new.heading_deg).abs() > 5.0, turns, "{button:?} {modifiers:?}");
+        assert_eq!(main.position != new.position, moves, "{button:?} {modifiers:?}");
+        window.press("Undo");
+    }
 }
 
 #[test]

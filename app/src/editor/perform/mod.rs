@@ -25,6 +25,7 @@ impl Editor {
                     self.view.selection.choose(items, through, how);
                     self.view.keep_what_is_in(self.session.scene());
                 }
+                Action::DropGesture => self.session.cancel(),
                 Action::LookThrough(id) => self.look_through(id),
                 Action::SetFromView(id) => self.set_from_view(id),
                 Action::Change { name, edits, live } => self.change(name, edits, live),

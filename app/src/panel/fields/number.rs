@@ -26,13 +26,7 @@ impl Values<'_> {
 /// A field to drag or type in, within the parameter's range. Whether it was changed.
 ///
 /// What is typed and lies outside is not taken: the field keeps its value and says for a while which range it has.
-pub(in crate::panel) fn number_field(
-    ui: &mut Ui,
-    name: &str,
-    parameter: &Parameter,
-    value: &mut f64,
-    whole: bool,
-) -> bool {
+pub(crate) fn number_field(ui: &mut Ui, name: &str, parameter: &Parameter, value: &mut f64, whole: bool) -> bool {
     let before = *value;
     let refused = Cell::new(None);
     let mut field = DragValue::new(value)

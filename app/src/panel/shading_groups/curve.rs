@@ -153,7 +153,8 @@ fn moved(ui: &Ui, dot: &Response, share: f64, share_per_point: f64) -> Option<f6
     }
     let arrows = EventFilter { vertical_arrows: true, ..EventFilter::default() };
     ui.memory_mut(|memory| memory.set_focus_lock_filter(dot.id, arrows));
-    let has_focus = dot.has_focus();
+    // Asked here: within the input it would wait for itself.
+    let focused = dot.has_focus();
     ui.input(|input| {
         for request in input.accesskit_action_requests(dot.id, Action::SetValue) {
             if let Some(ActionData::NumericValue(value)) = request.data
@@ -163,7 +164,7 @@ fn moved(ui: &Ui, dot: &Response, share: f64, share_per_point: f64) -> Option<f6
             }
         }
         let asked = |action| input.num_accesskit_action_requests(dot.id, action) as f64;
-        let pressed = |key| if has_focus && input.key_pressed(key) { 1.0 } else { 0.0 };
+        let pressed = |key| if focused && input.key_pressed(key) { 1.0 } else { 0.0 };
         let up = asked(Action::Increment) - asked(Action::Decrement) + pressed(Key::ArrowUp) - pressed(Key::ArrowDown);
         let step = if input.modifiers.shift { STEP * 0.2 } else { STEP };
         (up != 0.0).then(|| ((share + up * step) * 1e4).round() / 1e4)

@@ -5,8 +5,10 @@ use crate::opening::{self, SceneAtlas};
 use crate::renderer::{RenderError, Renderer};
 use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
+use cloudwright_core::measure::overdraw;
 use cloudwright_core::scene::{Camera, Scene};
 use egui::{Color32, ColorImage, TextureHandle, TextureId, TextureOptions};
 use std::sync::Arc;
@@ -20,13 +22,14 @@ struct Request {
     camera: Camera,
     size: [u32; 2],
     coarseness: u32,
+    hidden: Hidden,
 }
 
 struct Answer {
     picture: Result<Picture, RenderError>,
     time: Duration,
     coarseness: u32,
-    /// Sprites blended on a pixel, in the mean; not measured yet.
+    /// Sprites blended on a pixel, in the mean; none while a gesture goes on.
     overdraw: Option<f32>,
 }
 
@@ -69,10 +72,11 @@ impl ByCpu {
         self.overdraw
     }
 
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], coarseness: u32) {
+    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], coarseness: u32, hidden: &Hidden) {
         if let Some(worker) = &self.worker {
             let (scene, derived, atlas) = session.to_draw();
-            worker.ask(Request { scene, derived, atlas, camera: camera.clone(), size, coarseness });
+            let (camera, hidden) = (camera.clone(), hidden.clone());
+            worker.ask(Request { scene, derived, atlas, camera, size, coarseness, hidden });
         }
     }
 
@@ -81,7 +85,7 @@ impl ByCpu {
         if let Some(Answer { picture: Ok(picture), time, coarseness, overdraw }) = answer {
             self.show(&picture);
             self.last = Some((time, coarseness));
-            self.overdraw = overdraw;
+            self.overdraw = overdraw.or(self.overdraw);
         }
         self.texture.as_ref().map(TextureHandle::id)
     }
@@ -99,7 +103,11 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, atlas, camera, size, coarseness } = request;
-    let frame = Frame::new(scene, derived, opening::sheet(atlas), camera, scene.time_of_day_h, *size);
-    Answer { picture: Renderer::Cpu.picture(&frame, 1), time: begun.elapsed(), coarseness: *coarseness, overdraw: None }
+    let Request { scene, derived, atlas, camera, size, coarseness, hidden } = request;
+    let frame = Frame::hiding(scene, derived, opening::sheet(atlas), camera, scene.time_of_day_h, *size, hidden);
+    let picture = Renderer::Cpu.picture(&frame, 1);
+    let time = begun.elapsed();
+    // Counted at rest only: it is nothing that a gesture should wait for.
+    let overdraw = (*coarseness == 1).then(|| overdraw(&frame).mean_per_pixel as f32);
+    Answer { picture, time, coarseness: *coarseness, overdraw }
 }

@@ -3,6 +3,7 @@
 use crate::editor::Session;
 use crate::opening;
 use crate::renderer::gpu_name;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::scene::Camera;
 use cloudwright_render::{Gpu, RenderError, Renderer};
@@ -44,10 +45,17 @@ impl ByGpu {
         self.texture
     }
 
-    pub(super) fn draw(&mut self, session: &Session, camera: &Camera, size: [u32; 2]) -> Result<(), RenderError> {
+    pub(super) fn draw(
+        &mut self,
+        session: &Session,
+        camera: &Camera,
+        size: [u32; 2],
+        hidden: &Hidden,
+    ) -> Result<(), RenderError> {
         let begun = Instant::now();
         let (scene, derived, atlas) = session.to_draw();
-        let frame = Frame::new(&scene, &derived, opening::sheet(&atlas), camera, scene.time_of_day_h, size);
+        let sheet = opening::sheet(&atlas);
+        let frame = Frame::hiding(&scene, &derived, sheet, camera, scene.time_of_day_h, size, hidden);
         let view = self.renderer.draw(&self.gpu, &frame)?;
         let mut egui = self.window.renderer.write();
         let device = &self.window.device;

@@ -1,0 +1,219 @@
+//! The box tool: drag a footprint on the plane at the base altitude, let go, pull the height, click.
+//!
+//! From the first point of the drag to the click it is one open gesture, so the cloud grows under the hand and is one
+//! undo step. The box goes into the selected cloud's model, or into a new cloud around it. Enter finishes, or puts a box
+//! where the view looks; Esc drops it at any stage.
+
+mod drawn;
+
+use super::marquee::LEAST_DRAG;
+use super::overlay;
+use super::plane;
+use super::screen::Screen;
+use super::wireframe;
+use crate::editor::{Action, Choose, Item, box_of};
+use crate::panel::Reading;
+use drawn::{Drawn, Made, Target};
+use egui::{Key, Modifiers, Painter, Pos2, Response, Ui, vec2};
+use glam::DVec3;
+
+/// What the history calls it.
+const NAME: &str = "Box tool";
+
+/// The tool between its clicks.
+#[derive(Debug, Default)]
+pub(super) struct BoxTool {
+    drawing: Option<Drawing>,
+}
+
+#[derive(Debug)]
+struct Drawing {
+    drawn: Drawn,
+    stage: Stage,
+}
+
+#[derive(Debug, Clone, Copy)]
+enum Stage {
+    /// The button went down there.
+    Footprint(Pos2),
+    /// The button was let go there, when the box had this height.
+    Height(Pos2, f64),
+}
+
+/// What the hands do in this frame.
+struct Hands {
+    at: Option<Pos2>,
+    pressed: bool,
+    down: bool,
+    enter: bool,
+    escape: bool,
+    /// Metres; none to draw freely.
+    snap_m: Option<f64>,
+}
+
+impl BoxTool {
+    /// Whether the gesture stays open though no button is down.
+    pub(super) fn holds_gesture(&self) -> bool {
+        matches!(self.drawing, Some(Drawing { stage: Stage::Height(..), .. }))
+    }
+
+    /// Another tool was chosen: what is drawn stays as it is.
+    pub(super) fn leave(&mut self) {
+        self.drawing = None;
+    }
+
+    /// Draws as the hands say. `looked_at` is where Enter puts a box.
+    #[allow(clippy::too_many_arguments, reason = "each is another kind of thing")]
+    pub(super) fn show(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        painter: &Painter,
+        screen: &Screen,
+        looked_at: DVec3,
+        reading: &Reading<'_>,
+        actions: &mut Vec<Action>,
+    ) {
+        let hands = hands(ui, response, reading);
+        let lost = |drawing: &Drawing| drawing.drawn.made.is_some() && !reading.session.document().is_open();
+        if hands.escape || self.drawing.as_ref().is_some_and(lost) {
+            self.drawing = None;
+            return;
+        }
+        let base_m = reading.view.base_altitude_m(reading.session.scene());
+        match self.drawing.take() {
+            None => self.begin(&hands, screen, base_m, looked_at, reading, actions),
+            Some(drawing) => self.drawing = drawing.go_on(&hands, screen, reading, actions),
+        }
+        self.paint(&hands, painter, screen, base_m, reading);
+    }
+
+    fn begin(
+        &mut self,
+        hands: &Hands,
+        screen: &Screen,
+        base_m: f64,
+        looked_at: DVec3,
+        reading: &Reading<'_>,
+        actions: &mut Vec<Action>,
+    ) {
+        if hands.enter {
+            let mut drawn = Drawn::new(Target::of(reading), DVec3 { y: base_m, ..looked_at });
+            drawn.stand_about(looked_at);
+            finish(drawn, reading, actions);
+        } else if hands.pressed
+            && let Some(at) = hands.at
+            && let Some(from) = plane::under(at, screen, base_m)
+        {
+            let mut drawn = Drawn::new(Target::of(reading), from);
+            drawn.drag_to(from, hands.snap_m);
+            self.drawing = Some(Drawing { drawn, stage: Stage::Footprint(at) });
+        }
+    }
+
+    fn paint(&self, hands: &Hands, painter: &Painter, screen: &Screen, base_m: f64, reading: &Reading<'_>) {
+        let Some(at) = hands.at.filter(|at| screen.rect.contains(*at)) else { return };
+        let drawn = self.drawing.as_ref().map(|drawing| &drawing.drawn);
+        let point = match drawn {
+            Some(drawn) => Some(drawn.to),
+            None => plane::under(at, screen, base_m),
+        };
+        let Some(point) = point else {
+            overlay::label(painter, at + vec2(16.0, 16.0), "The base altitude is out of sight here");
+            return;
+        };
+        let made = drawn.and_then(|drawn| drawn.made);
+        let scene = reading.session.scene();
+        if let Some((cloud, each)) =
+            made.and_then(|made| scene.cloud(made.cloud).zip(box_of(scene, made.model, made.id)))
+        {
+            wireframe::paint_selected(painter, screen, cloud, each);
+        }
+        let space = drawn.map_or_else(|| Target::of(reading).space(), |drawn| drawn.target.space());
+        plane::paint_patch(painter, screen, &space, point, hands.snap_m.unwrap_or(0.0));
+        let text = match drawn {
+            Some(drawn) => {
+                let size = drawn.size_m();
+                format!("{:.0} × {:.0} × {:.0} m", size.x, size.y, size.z)
+            }
+            None => format!("base {} m", base_m.round()),
+        };
+        overlay::label(painter, at + vec2(16.0, 16.0), &text);
+    }
+}
+
+impl Drawing {
+    /// The next step; none when it is done or dropped.
+    fn go_on(
+        mut self,
+        hands: &Hands,
+        screen: &Screen,
+        reading: &Reading<'_>,
+        actions: &mut Vec<Action>,
+    ) -> Option<Self> {
+        let Some(at) = hands.at else { return Some(self) };
+        let before = self.drawn.clone();
+        match self.stage {
+            Stage::Footprint(from) => {
+                let is_drag = at.distance(from) >= LEAST_DRAG;
+                if is_drag && let Some(to) = plane::under(at, screen, self.drawn.from.y) {
+                    self.drawn.drag_to(to, hands.snap_m);
+                }
+                if !hands.down {
+                    if !is_drag || self.drawn.made.is_none() && before == self.drawn {
+                        if self.drawn.made.is_some() {
+                            actions.push(Action::DropGesture);
+                        }
+                        return None;
+                    }
+                    self.stage = Stage::Height(at, self.drawn.height_m);
+                }
+            }
+            Stage::Height(from, height_m) => {
+                let pulled = pulled_m(screen, self.drawn.to, from, at);
+                self.drawn.pull_to(height_m + pulled, hands.snap_m);
+                if hands.pressed || hands.enter {
+                    finish(self.drawn, reading, actions);
+                    return None;
+                }
+            }
+        }
+        if before != self.drawn {
+            let edits = self.drawn.edits(reading.session.scene());
+            actions.push(Action::Change { name: NAME, edits, live: true });
+        }
+        Some(self)
+    }
+}
+
+fn finish(mut drawn: Drawn, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let edits = drawn.edits(reading.session.scene());
+    actions.push(Action::Change { name: NAME, edits, live: false });
+    if let Some(Made { model, cloud, id }) = drawn.made {
+        actions.push(Action::Select { items: vec![Item::Box(model, id)], through: Some(cloud), how: Choose::Only });
+    }
+}
+
+/// How far the pointer was pulled up along the vertical through a corner, metres. Seen from above, where that is a
+/// point, by its way up the screen.
+fn pulled_m(screen: &Screen, corner: DVec3, from: Pos2, to: Pos2) -> f64 {
+    let [a, b] = [from, to].map(|at| screen.along(at, corner, DVec3::Y));
+    match a.zip(b) {
+        Some((a, b)) if screen.view.forward.y.abs() < 0.95 => b - a,
+        _ => f64::from(from.y - to.y) * screen.metres_per_point(corner),
+    }
+}
+
+fn hands(ui: &Ui, response: &Response, reading: &Reading<'_>) -> Hands {
+    let (focused, dialog) = ui.memory(|memory| (memory.focused(), memory.top_modal_layer().is_some()));
+    let may_type = !dialog && focused.is_none_or(|id| id == response.id);
+    let snap = reading.view.snap;
+    ui.input_mut(|input| Hands {
+        at: input.pointer.latest_pos().filter(|_| !dialog),
+        pressed: response.contains_pointer() && input.pointer.primary_pressed() && !input.modifiers.alt,
+        down: input.pointer.primary_down(),
+        enter: may_type && input.consume_key(Modifiers::NONE, Key::Enter),
+        escape: input.key_pressed(Key::Escape),
+        snap_m: (snap.on != input.modifiers.command).then_some(snap.step_m).filter(|step| *step > 0.0),
+    })
+}

@@ -1,0 +1,223 @@
+//! Arrows, rings and cubes on what is selected: the crate transform-gizmo, which knows neither this egui nor this glam.
+//!
+//! It is handed camera-relative f64 matrices, so that it works as well 1,000 km from the origin, and gives back what
+//! the hand has done since the button went down; [`Targets`] makes edits of that. It brings its own emath and glam:
+//! numbers cross as arrays.
+
+use super::screen::Screen;
+use super::targets::{Act, Targets};
+use crate::editor::{Action, Tool};
+use crate::panel::Reading;
+use crate::theme;
+use cloudwright_core::camera::NEAR_M;
+use egui::epaint::{Vertex, WHITE_UV};
+use egui::{Key, Mesh, Painter, Response, Rgba, Shape, Ui, pos2};
+use glam::{DQuat, DVec3};
+use transform_gizmo::config::TransformPivotPoint;
+use transform_gizmo::math::{Pos2 as GizmoPos, Transform};
+use transform_gizmo::{
+    EnumSet, Gizmo, GizmoConfig, GizmoInteraction, GizmoMode, GizmoOrientation, GizmoResult, GizmoVisuals, Rect, mint,
+};
+
+/// The gizmo and what it holds.
+#[derive(Default)]
+pub(super) struct GizmoHands {
+    gizmo: Gizmo,
+    held: Option<Held>,
+}
+
+/// A drag from its beginning.
+struct Held {
+    tool: Tool,
+    targets: Targets,
+    changed: bool,
+}
+
+impl GizmoHands {
+    /// Whether the hand drags it.
+    pub(super) fn is_held(&self) -> bool {
+        self.held.is_some()
+    }
+
+    /// Draws it where there is something to work on, and asks for what the hand does. Whether it has the pointer.
+    pub(super) fn show(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        painter: &Painter,
+        screen: &Screen,
+        reading: &Reading<'_>,
+        actions: &mut Vec<Action>,
+    ) -> bool {
+        let (at, pressed, down, dropped, modifiers) = ui.input(|input| {
+            let pointer = &input.pointer;
+            let dropped = input.key_pressed(Key::Escape);
+            (pointer.latest_pos(), pointer.primary_pressed(), pointer.primary_down(), dropped, input.modifiers)
+        });
+        let was_held = self.held.is_some();
+        if !down || dropped {
+            self.held = None;
+        }
+        let tool = self.held.as_ref().map_or(reading.view.tool, |held| held.tool);
+        let idle = match self.held {
+            Some(_) => None,
+            None => Targets::of(tool, reading).filter(|targets| is_before(screen, targets)),
+        };
+        let Some(targets) = self.held.as_ref().map(|held| &held.targets).or(idle.as_ref()) else { return was_held };
+        let Some(modes) = modes(tool, targets) else { return was_held };
+        let snap = reading.view.snap;
+        let snaps = snap.on != modifiers.command;
+        let snap_angle = snaps.then_some(snap.angle_deg.to_radians()).filter(|step| *step > 0.0);
+        self.gizmo.update_config(GizmoConfig {
+            modes,
+            orientation: orientation(targets),
+            snapping: snaps,
+            snap_angle: snap.angle_deg.to_radians() as f32,
+            snap_distance: snap.step_m as f32,
+            snap_scale: snap.scale as f32,
+            pixels_per_point: ui.pixels_per_point(),
+            visuals: visuals(),
+            ..seen(screen, targets.pivot)
+        });
+        let turn = targets.turn;
+        let transform = Transform::from_scale_rotation_translation(
+            [1.0; 3],
+            mint::Quaternion::from(turn.to_array()),
+            (targets.pivot - screen.view.eye).to_array(),
+        );
+        let interaction = GizmoInteraction {
+            cursor_pos: at.map_or((f32::MIN, f32::MIN), |at| (at.x, at.y)),
+            hovered: response.contains_pointer() || self.held.is_some(),
+            drag_started: pressed && response.contains_pointer() && !modifiers.alt && !dropped,
+            dragging: down && !dropped,
+        };
+        let result = self.gizmo.update(interaction, &[transform]);
+        if let Some((result, _)) = result {
+            if let (None, Some(targets)) = (&self.held, idle) {
+                self.held = Some(Held { tool, targets, changed: false });
+            }
+            if let Some(held) = &mut self.held {
+                held.follow(act(result, turn, snap_angle), reading, actions);
+            }
+        }
+        painter.add(Shape::mesh(mesh(&self.gizmo)));
+        let has_pointer = self.gizmo.is_focused() || self.held.is_some();
+        if has_pointer {
+            ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
+        }
+        has_pointer || was_held
+    }
+}
+
+impl Held {
+    fn follow(&mut self, act: Act, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+        let nothing = match act {
+            Act::Move(by) => by == DVec3::ZERO,
+            Act::Turn(_, angle) => angle == 0.0,
+            Act::Stretch(by) => by == DVec3::ONE,
+        };
+        if nothing && !self.changed {
+            return;
+        }
+        self.changed = true;
+        let name = match act {
+            Act::Move(_) => "Move",
+            Act::Turn(..) => "Rotate",
+            Act::Stretch(_) => "Scale",
+        };
+        let edits = self.targets.edits(act, reading.session.scene());
+        actions.push(Action::Change { name, edits, live: true });
+    }
+}
+
+/// What the hand has done since the button went down, in the world. `turn` is of the gizmo's axes.
+fn act(result: GizmoResult, turn: DQuat, snap_angle: Option<f64>) -> Act {
+    let vector = |v: mint::Vector3<f64>| DVec3::new(v.x, v.y, v.z);
+    match result {
+        GizmoResult::Translation { total, .. } => Act::Move(turn * vector(total)),
+        // The crate counts turns as they look on the screen.
+        GizmoResult::Rotation { axis, total, is_view_axis, .. } => {
+            let axis = if is_view_axis { vector(axis) } else { turn * vector(axis) };
+            // It snaps to steps in f32.
+            let total = snap_angle.map_or(total, |step| (total / step).round() * step);
+            Act::Turn(axis.normalize_or(DVec3::Y), -total)
+        }
+        GizmoResult::Scale { total } => Act::Stretch(vector(total)),
+        GizmoResult::Arcball { .. } => Act::Move(DVec3::ZERO),
+    }
+}
+
+fn modes(tool: Tool, targets: &Targets) -> Option<EnumSet<GizmoMode>> {
+    let round = GizmoMode::RotateX | GizmoMode::RotateY | GizmoMode::RotateZ | GizmoMode::RotateView;
+    let along = GizmoMode::ScaleX | GizmoMode::ScaleY | GizmoMode::ScaleZ | GizmoMode::ScaleUniform;
+    let planes = GizmoMode::TranslateXY | GizmoMode::TranslateXZ | GizmoMode::TranslateYZ;
+    match tool {
+        Tool::Move => Some(GizmoMode::TranslateX | GizmoMode::TranslateY | GizmoMode::TranslateZ | planes),
+        Tool::Rotate if targets.stay_upright() => Some(GizmoMode::RotateY.into()),
+        Tool::Rotate => Some(round),
+        Tool::Scale if targets.is_single_box() => Some(along),
+        Tool::Scale => Some(GizmoMode::ScaleUniform.into()),
+        Tool::Select | Tool::Box => None,
+    }
+}
+
+/// The world's axes are the gizmo's own where nothing is turned.
+fn orientation(targets: &Targets) -> GizmoOrientation {
+    if targets.turn == DQuat::IDENTITY { GizmoOrientation::Global } else { GizmoOrientation::Local }
+}
+
+fn is_before(screen: &Screen, targets: &Targets) -> bool {
+    screen.view.depth(screen.relative(targets.pivot)) > NEAR_M * 2.0
+}
+
+/// The view from the eye, with near and far planes about the pivot, where the crate's arithmetic is best.
+fn seen(screen: &Screen, pivot: DVec3) -> GizmoConfig {
+    let view = &screen.view;
+    let row = |axis: glam::Vec3| [f64::from(axis.x), f64::from(axis.y), f64::from(axis.z), 0.0];
+    let tan = f64::from(view.tan_half_height);
+    let aspect = f64::from(view.width) / f64::from(view.height);
+    let depth = f64::from(view.depth(screen.relative(pivot)).max(NEAR_M));
+    let (near, far) = (depth * 0.01, depth * 10.0);
+    let projection = [
+        [1.0 / (tan * aspect), 0.0, 0.0, 0.0],
+        [0.0, 1.0 / tan, 0.0, 0.0],
+        [0.0, 0.0, -(far + near) / (far - near), -2.0 * far * near / (far - near)],
+        [0.0, 0.0, -1.0, 0.0],
+    ];
+    let rect = screen.rect;
+    GizmoConfig {
+        view_matrix: mint::RowMatrix4::from([row(view.right), row(view.up), row(-view.forward), [0.0, 0.0, 0.0, 1.0]]),
+        projection_matrix: mint::RowMatrix4::from(projection),
+        viewport: Rect {
+            min: GizmoPos { x: rect.min.x, y: rect.min.y },
+            max: GizmoPos { x: rect.max.x, y: rect.max.y },
+        },
+        pivot_point: TransformPivotPoint::MedianPoint,
+        ..GizmoConfig::default()
+    }
+}
+
+fn visuals() -> GizmoVisuals {
+    let color = |color: egui::Color32| transform_gizmo::Color32::from_rgb(color.r(), color.g(), color.b());
+    GizmoVisuals {
+        x_color: color(theme::AXIS_X),
+        y_color: color(theme::AXIS_Y),
+        z_color: color(theme::AXIS_Z),
+        s_color: color(theme::AXIS_VIEW),
+        highlight_color: Some(color(theme::GIZMO_HOVERED)),
+        inactive_alpha: 0.9,
+        highlight_alpha: 1.0,
+        stroke_width: theme::GIZMO_WIDTH,
+        gizmo_size: theme::GIZMO_SIZE,
+    }
+}
+
+fn mesh(gizmo: &Gizmo) -> Mesh {
+    let drawn = gizmo.draw();
+    let vertices = drawn.vertices.iter().zip(&drawn.colors).map(|([x, y], [r, g, b, a])| Vertex {
+        pos: pos2(*x, *y),
+        uv: WHITE_UV,
+        color: Rgba::from_rgba_premultiplied(*r, *g, *b, *a).into(),
+    });
+    Mesh { vertices: vertices.collect(), indices: drawn.indices, ..Mesh::default() }
+}

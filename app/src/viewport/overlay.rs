@@ -1,0 +1,136 @@
+//! What stands in the viewport's corners: the tool's options, the cameras, and what the hands can do.
+
+use crate::command::Command;
+use crate::editor::{Action, Snap, Tool, ViewChange};
+use crate::panel::{Reading, name_it, number_field};
+use crate::theme::{self, icon};
+use cloudwright_core::parameter::{POSITION, Parameter};
+use egui::{Align2, FontId, Layout, Painter, Pos2, Rect, Ui, UiBuilder, vec2};
+
+const BASE_ALTITUDE: Parameter = Parameter {
+    name: "base_altitude",
+    label: "Base altitude",
+    doc: "The altitude of the plane that the box tool draws on.",
+    ..POSITION
+};
+const SNAP_STEP: Parameter = Parameter {
+    name: "snap_step",
+    label: "Snap step",
+    unit: "m",
+    min: 0.01,
+    max: 1e5,
+    default: 50.0,
+    doc: "What moves and sizes snap to.",
+};
+const SNAP_ANGLE: Parameter = Parameter {
+    name: "snap_angle",
+    label: "Snap angle",
+    unit: "°",
+    min: 0.1,
+    max: 180.0,
+    default: 15.0,
+    doc: "What turns snap to.",
+};
+
+/// Shows options and cameras in the upper corners of `rect`.
+pub(super) fn show(ui: &mut Ui, rect: Rect, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let inner = rect.shrink(theme::VIEWPORT_MARGIN);
+    if !inner.is_positive() {
+        return;
+    }
+    let mut corner = |name: &str, layout: Layout, content: &mut dyn FnMut(&mut Ui)| {
+        let builder = UiBuilder::new().id_salt(name).max_rect(inner).layout(layout);
+        ui.scope_builder(builder, |ui| {
+            ui.set_clip_rect(rect.intersect(ui.clip_rect()));
+            theme::overlay(ui).show(ui, |ui| ui.horizontal(|ui| content(ui)));
+        });
+    };
+    if !matches!(reading.view.tool, Tool::Select) {
+        corner("tool options", Layout::left_to_right(egui::Align::Min), &mut |ui| options(ui, reading, actions));
+    }
+    corner("cameras", Layout::right_to_left(egui::Align::Min), &mut |ui| cameras(ui, reading, actions));
+}
+
+fn options(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let view = reading.view;
+    if view.tool == Tool::Box {
+        let mut altitude = view.base_altitude_m(reading.session.scene());
+        if labelled(ui, "Base", &BASE_ALTITUDE, &mut altitude) {
+            actions.push(Action::View(ViewChange::BaseAltitude(altitude)));
+        }
+    }
+    let snap = egui::Button::new(icon::MAGNET).selected(view.snap.on);
+    let response = ui.add(snap);
+    name_it(ui, &response, "Snap to steps");
+    if response.on_hover_text(Command::Snap.row().tooltip(ui.ctx())).clicked() {
+        actions.push(Action::Command(Command::Snap));
+    }
+    let mut snap = view.snap;
+    let changed = if view.tool == Tool::Rotate {
+        labelled(ui, "", &SNAP_ANGLE, &mut snap.angle_deg)
+    } else {
+        labelled(ui, "", &SNAP_STEP, &mut snap.step_m)
+    };
+    if changed && snap != view.snap {
+        actions.push(Action::View(ViewChange::Snap(Snap { on: true, ..snap })));
+    }
+}
+
+/// A number under its parameter's label; on the screen it may be shorter.
+fn labelled(ui: &mut Ui, shown: &str, parameter: &Parameter, value: &mut f64) -> bool {
+    if !shown.is_empty() {
+        ui.label(shown);
+    }
+    number_field(ui, parameter.label, parameter, value, false)
+}
+
+fn cameras(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let menu = ui.menu_button(icon::VIDEO_CAMERA, |ui| {
+        for camera in &reading.session.scene().cameras {
+            let name = if camera.name.is_empty() { format!("camera {}", camera.id) } else { camera.name.clone() };
+            let response = ui.button(&name);
+            name_it(ui, &response, &format!("Look through {name}"));
+            if response.clicked() {
+                actions.push(Action::LookThrough(camera.id));
+            }
+        }
+        if !reading.session.scene().cameras.is_empty() {
+            ui.separator();
+            if ui.button("Align camera to view").clicked() {
+                actions.push(Action::Command(Command::AlignCamera));
+            }
+        }
+        if ui.button("Add camera from view").clicked() {
+            actions.push(Action::Command(Command::AddCamera));
+        }
+    });
+    name_it(ui, &menu.response, "Cameras");
+    menu.response.on_hover_text("Look through a camera");
+}
+
+/// What the primary button does, and how the view is moved.
+pub(super) fn hint(painter: &Painter, rect: Rect, tool: Tool, drawing: bool) {
+    let tool = match (tool, drawing) {
+        (Tool::Select, _) => "click: choose, again: behind   drag: marquee",
+        (Tool::Move, _) => "arrows and squares: move   Ctrl: snap",
+        (Tool::Rotate, _) => "rings: turn   Ctrl: snap",
+        (Tool::Scale, _) => "handles: stretch   Ctrl: snap",
+        (Tool::Box, false) => "drag: footprint   Enter: box in the middle   Ctrl: snap",
+        (Tool::Box, true) => "pull the height   click or Enter: done   Esc: drop",
+    };
+    let text = format!("{tool}   middle or Alt drag: turn   right drag: move   wheel: nearer");
+    let at = rect.left_bottom() + vec2(theme::VIEWPORT_MARGIN, -theme::VIEWPORT_MARGIN);
+    text_on_shade(painter, at, Align2::LEFT_BOTTOM, &text);
+}
+
+/// Words at a place in the picture, their upper left corner.
+pub(super) fn label(painter: &Painter, at: Pos2, text: &str) {
+    text_on_shade(painter, at, Align2::LEFT_TOP, text);
+}
+
+fn text_on_shade(painter: &Painter, at: Pos2, align: Align2, text: &str) {
+    let galley = painter.layout_no_wrap(text.into(), FontId::proportional(11.0), theme::VIEWPORT_TEXT);
+    let text_rect = align.anchor_size(at, galley.size());
+    painter.rect_filled(text_rect.expand2(vec2(6.0, 3.0)), 4.0, theme::VIEWPORT_SHADE);
+    painter.galley(text_rect.min, galley, theme::VIEWPORT_TEXT);
+}
