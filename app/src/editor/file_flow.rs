@@ -70,6 +70,7 @@ impl Editor {
     fn replace(&mut self, session: Session) {
         self.viewport.see(&session);
         self.session = session;
+        self.time_play.drop_hour();
         self.view = ViewState { tool: self.view.tool, snap: self.view.snap, ..ViewState::default() };
     }
 

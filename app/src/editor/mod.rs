@@ -22,6 +22,7 @@ pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
 pub(crate) use selection::{box_of, camera_of, group_of, model_of};
 pub use session::Session;
+pub(crate) use time_play::TimePlay;
 pub use view::{Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
@@ -37,7 +38,6 @@ use file_flow::Intent;
 use files::Waiting;
 use layout::Layout;
 use std::path::PathBuf;
-use time_play::TimePlay;
 
 /// The editor: an open document, how it is looked at, and what is being asked.
 pub struct Editor {
@@ -183,8 +183,15 @@ impl Editor {
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
             panel::status(ui, &self.session, &self.viewport, self.notice.as_ref());
         });
-        let Self { session, view, viewport, layout, .. } = self;
-        let reading = Reading { session, view };
+        let Self { session, view, viewport, layout, time_play, copied_levels, .. } = self;
+        let reading = Reading {
+            session,
+            view,
+            time_play,
+            copied_levels: copied_levels.as_ref(),
+            view_heading_deg: viewport.camera().heading_deg,
+            levels_shown: layout.shows(Panel::ColorLevels),
+        };
         egui::CentralPanel::no_frame().show(ui, |ui| {
             layout.show(ui, |panel, ui| match panel {
                 Panel::Viewport => viewport.show(ui, &reading, &mut actions),
@@ -210,6 +217,7 @@ impl eframe::App for Editor {
         self.answer_file_dialogs(&context);
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
+        self.run_time(&context);
         let mut actions: Vec<Action> = Vec::new();
         if !self.dialogs.is_open() && self.palette.is_none() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));

@@ -4,10 +4,12 @@
 
 mod bars;
 mod camera;
+mod checkerboard;
 mod cloud;
 mod cloud_box;
-mod color_levels;
+pub(crate) mod color_levels;
 mod fields;
+pub(crate) mod handle;
 mod history;
 mod inspector;
 mod model;
@@ -22,8 +24,9 @@ pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use palette::Palette;
 pub(crate) use status::status;
 
-use crate::editor::{Action, Session, ViewState};
+use crate::editor::{Action, Session, TimePlay, ViewState};
 use crate::theme::icon;
+use cloudwright_core::scene::ColorLevels;
 use egui::Ui;
 use serde::{Deserialize, Serialize};
 
@@ -56,6 +59,21 @@ pub(crate) struct Reading<'a> {
     pub(crate) session: &'a Session,
     /// How it is looked at.
     pub(crate) view: &'a ViewState,
+    /// The time of day, if it runs.
+    pub(crate) time_play: &'a TimePlay,
+    /// Colour levels to paste.
+    pub(crate) copied_levels: Option<&'a ColorLevels>,
+    /// Clockwise from north: where the viewport looks.
+    pub(crate) view_heading_deg: f64,
+    /// Whether the panel of colour levels is on the screen.
+    pub(crate) levels_shown: bool,
+}
+
+impl Reading<'_> {
+    /// The hour that is shown: the running one, or the scene's.
+    pub(crate) fn hour(&self) -> f64 {
+        self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
+    }
 }
 
 impl Panel {

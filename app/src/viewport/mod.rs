@@ -3,6 +3,7 @@
 //! The camera here is the editor's own; a saved camera changes only when the user says so. The picture comes from
 //! [`picture`], which draws off the frame; boxes are painted over it at once.
 
+mod level_handles;
 mod navigation;
 mod pick;
 mod picture;
@@ -107,9 +108,10 @@ impl Viewport {
             let items = picked.map(|(item, _)| item).into_iter().collect();
             actions.push(Action::Select { items, through: picked.map(|(_, cloud)| cloud), how: Choose::Only });
         }
-        let quick = response.dragged() || session.document().is_open();
+        let quick = response.dragged() || session.document().is_open() || reading.time_play.is_on();
         let pixels = (rect.size() * ui.pixels_per_point()).round();
-        self.picture.ask(session, self.navigation.camera(), [pixels.x as u32, pixels.y as u32], quick);
+        let size = [pixels.x as u32, pixels.y as u32];
+        self.picture.ask(session, self.navigation.camera(), reading.hour(), size, quick);
         let painter = ui.painter_at(rect);
         match self.picture.texture() {
             Some(texture) => {
@@ -121,6 +123,7 @@ impl Viewport {
             }
         }
         wireframe::paint(&painter, rect, &view, session.scene(), reading.view);
+        level_handles::show(ui, rect, &view, reading, actions);
         hint(&painter, rect);
     }
 

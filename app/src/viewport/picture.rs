@@ -24,6 +24,7 @@ const MAX_SIDE: u32 = 8192;
 struct Key {
     revision: Version,
     camera: Camera,
+    hour: f64,
     size: [u32; 2],
 }
 
@@ -65,22 +66,22 @@ impl PictureSource {
         }
     }
 
-    /// Has a picture of `size` pixels drawn if it would be another than the last one. While a hand moves something,
+    /// Has a picture of `size` pixels at `hour` drawn if it would be another than the last one. While a hand moves something,
     /// `quick` lets a slow renderer draw less.
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], quick: bool) {
+    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, hour: f64, size: [u32; 2], quick: bool) {
         let halved = quick && matches!(self.source, Source::Cpu(_));
         let size = size.map(|side| (if halved { side.div_ceil(2) } else { side }).clamp(1, MAX_SIDE));
-        let key = Key { revision: session.revision(), camera: camera.clone(), size };
+        let key = Key { revision: session.revision(), camera: camera.clone(), hour, size };
         if self.asked.as_ref() == Some(&key) {
             return;
         }
         match &mut self.source {
-            Source::Cpu(cpu) => cpu.ask(session, camera, size),
+            Source::Cpu(cpu) => cpu.ask(session, camera, hour, size),
             Source::Gpu(gpu) => {
-                if let Err(error) = gpu.draw(session, camera, size) {
+                if let Err(error) = gpu.draw(session, camera, hour, size) {
                     let mut cpu = ByCpu::new(&self.context);
                     cpu.explain(&error);
-                    cpu.ask(session, camera, size);
+                    cpu.ask(session, camera, hour, size);
                     self.source = Source::Cpu(cpu);
                 }
             }

@@ -40,6 +40,9 @@ impl Editor {
         if self.gesture_dropped {
             return;
         }
+        if edits.iter().any(|edit| matches!(edit, Edit::TimeOfDay(_))) {
+            self.time_play.drop_hour();
+        }
         let mut done = self.session.drag(name, edits);
         if done.is_ok() && !live {
             done = self.session.commit();
@@ -48,7 +51,7 @@ impl Editor {
     }
 
     /// Tells why a change was refused.
-    fn report(&mut self, done: Result<(), EditError>) {
+    pub(super) fn report(&mut self, done: Result<(), EditError>) {
         match done {
             Ok(()) => self.notice = None,
             Err(error) => self.tell_error(error.to_string()),
@@ -71,7 +74,7 @@ impl Editor {
         let selection = &self.view.selection;
         let (clouds, boxes) = (selection.clouds().count(), selection.boxes().count());
         match command {
-            Command::Undo => document.undo_name().is_some() || document.is_open(),
+            Command::Undo => document.undo_name().is_some() || document.is_open() || self.time_play.is_on(),
             Command::Redo => document.redo_name().is_some(),
             Command::AddBox | Command::PlaceModel | Command::PlaceMany | Command::Reroll | Command::AutoGroup => {
                 selection.model(scene).is_some()
@@ -169,7 +172,7 @@ impl Editor {
             Command::ScaleTool => self.view.tool = Tool::Scale,
             Command::BoxTool => self.view.tool = Tool::Box,
             Command::Snap => self.view.snap.on ^= true,
-            Command::PlayTime => self.time_play.toggle(),
+            Command::PlayTime => self.toggle_time(),
             Command::OutlinePanel => self.layout.bring_up(Panel::Outline),
             Command::InspectorPanel => self.layout.bring_up(Panel::Inspector),
             Command::LevelsPanel => self.layout.bring_up(Panel::ColorLevels),
@@ -181,7 +184,11 @@ impl Editor {
         }
     }
 
+    /// The time of day that runs is what was done last.
     fn undo(&mut self) {
+        if self.time_play.is_on() {
+            return self.time_play.drop_hour();
+        }
         self.session.undo();
         self.view.keep_what_is_in(self.session.scene());
     }

@@ -1,6 +1,6 @@
 //! A colour with its brightness beside it: the picker shows sRGB, which ends at white.
 
-use super::{Fields, Values, name_it};
+use super::{Fields, Values, name_it, number_field};
 use cloudwright_core::color::{Rgb, linear_from_srgb, srgb_from_linear};
 use cloudwright_core::parameter::{self, Parameter};
 use egui::Ui;
@@ -22,13 +22,8 @@ impl Values<'_> {
         self.value(label, value, |ui, value| color_field(ui, label, value));
         let name = format!("{label} brightness");
         let mut brightness = f64::from(brightness_of(*value));
-        let before = brightness;
-        let parameter =
-            Parameter { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..parameter::COLOR };
-        self.number(&name, &parameter, &mut brightness);
-        if brightness != before {
-            *value = *value * (brightness / before) as f32;
-        }
+        self.number(&name, &BRIGHTNESS, &mut brightness);
+        set_brightness(value, brightness);
     }
 
     fn alpha(&mut self, label: &str, alpha: &mut f32) {
@@ -38,6 +33,24 @@ impl Values<'_> {
             *alpha = opacity as f32;
         }
     }
+}
+
+const BRIGHTNESS: Parameter =
+    Parameter { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..parameter::COLOR };
+
+fn set_brightness(value: &mut Rgb, brightness: f64) {
+    let before = f64::from(brightness_of(*value));
+    if brightness != before {
+        *value = *value * (brightness / before) as f32;
+    }
+}
+
+/// How much brighter than white a colour is. Whether that was changed.
+pub(in crate::panel) fn brightness_field(ui: &mut Ui, name: &str, value: &mut Rgb) -> bool {
+    let mut brightness = f64::from(brightness_of(*value));
+    let changed = number_field(ui, name, &BRIGHTNESS, &mut brightness, false);
+    set_brightness(value, brightness);
+    changed
 }
 
 /// What a colour is divided by to fit into sRGB: 1 unless it is brighter than white.

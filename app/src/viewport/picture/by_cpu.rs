@@ -18,6 +18,7 @@ struct Request {
     derived: Arc<Derived>,
     atlas: SceneAtlas,
     camera: Camera,
+    hour: f64,
     size: [u32; 2],
 }
 
@@ -55,10 +56,10 @@ impl ByCpu {
         self.time
     }
 
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2]) {
+    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, hour: f64, size: [u32; 2]) {
         if let Some(worker) = &self.worker {
             let (scene, derived, atlas) = session.to_draw();
-            worker.ask(Request { scene, derived, atlas, camera: camera.clone(), size });
+            worker.ask(Request { scene, derived, atlas, camera: camera.clone(), hour, size });
         }
     }
 
@@ -84,7 +85,7 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, atlas, camera, size } = request;
-    let frame = Frame::new(scene, derived, opening::sheet(atlas), camera, scene.time_of_day_h, *size);
+    let Request { scene, derived, atlas, camera, hour, size } = request;
+    let frame = Frame::new(scene, derived, opening::sheet(atlas), camera, *hour, *size);
     Answer { picture: Renderer::Cpu.picture(&frame, 1), time: begun.elapsed() }
 }

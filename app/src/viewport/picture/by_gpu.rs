@@ -44,10 +44,16 @@ impl ByGpu {
         self.texture
     }
 
-    pub(super) fn draw(&mut self, session: &Session, camera: &Camera, size: [u32; 2]) -> Result<(), RenderError> {
+    pub(super) fn draw(
+        &mut self,
+        session: &Session,
+        camera: &Camera,
+        hour: f64,
+        size: [u32; 2],
+    ) -> Result<(), RenderError> {
         let begun = Instant::now();
         let (scene, derived, atlas) = session.to_draw();
-        let frame = Frame::new(&scene, &derived, opening::sheet(&atlas), camera, scene.time_of_day_h, size);
+        let frame = Frame::new(&scene, &derived, opening::sheet(&atlas), camera, hour, size);
         let view = self.renderer.draw(&self.gpu, &frame)?;
         let mut egui = self.window.renderer.write();
         let device = &self.window.device;
