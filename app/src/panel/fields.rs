@@ -7,6 +7,7 @@
 
 pub(super) mod color;
 mod number;
+mod picker;
 mod text;
 
 use crate::editor::Action;

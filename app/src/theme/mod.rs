@@ -46,10 +46,8 @@ pub(crate) const SUN: Color32 = Color32::from_rgb(255, 208, 92);
 pub(crate) const SUN_BELOW: Color32 = Color32::from_rgb(122, 112, 96);
 /// The sun's way over the day.
 pub(crate) const SUN_PATH: Color32 = Color32::from_rgb(226, 190, 110);
-/// The present hour on a strip, and the rim that sets it off from any colour.
-pub(crate) const NOW: Color32 = Color32::WHITE;
-/// As [`NOW`].
-pub(crate) const NOW_EDGE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 150);
+/// The present hour on a strip: no sky has this colour.
+pub(crate) const NOW: Color32 = Color32::from_rgb(232, 48, 58);
 /// Behind text in the viewport.
 pub(crate) const VIEWPORT_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 110);
 /// Text in the viewport, on that shade.

@@ -17,6 +17,7 @@ use super::Reading;
 use crate::command::Command;
 use crate::editor::Action;
 use crate::panel::fields::color::srgb_of;
+use crate::panel::fields::name_it;
 use crate::theme::icon;
 use cloudwright_core::color::Rgba;
 use cloudwright_core::scene::ColorLevels;
@@ -31,14 +32,17 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
         ui.weak("Select a cloud to see its colour levels.");
         return;
     };
+    let room = ui.available_height();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let top = ui.cursor().top();
         ui.horizontal(|ui| tools(ui, reading, &model.color_levels, actions));
         if models.len() > 1 {
             ui.weak(format!("{} models: changes go to all of them", models.len()));
         }
         let mut levels = model.color_levels;
         let mut chosen = chosen(ui.ctx());
-        scale::show(ui, reading, &mut levels, &mut chosen);
+        let room = room - (ui.cursor().top() - top) - table::height(ui);
+        scale::show(ui, room, reading, &mut levels, &mut chosen);
         table::show(ui, &mut levels, &mut chosen);
         choose(ui.ctx(), chosen);
         let live = ui.input(|input| input.pointer.any_down());
@@ -47,13 +51,14 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
 }
 
 fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut Vec<Action>) {
-    ui.menu_button(format!("Presets {}", icon::CARET_DOWN), |ui| {
+    let presets = ui.menu_button(format!("Presets {}", icon::CARET_DOWN), |ui| {
         for preset in preset::ALL {
             if offer(ui, preset) {
                 actions.push(change::replace(reading, "Preset of colour levels", preset.levels()));
             }
         }
     });
+    name_it(ui, &presets.response, "Presets of colour levels");
     for (command, text, enabled) in
         [(Command::CopyLevels, "Copy", true), (Command::PasteLevels, "Paste", reading.copied_levels.is_some())]
     {
@@ -62,7 +67,7 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut
             actions.push(Action::Command(command));
         }
     }
-    ui.menu_button(format!("Arrange {}", icon::CARET_DOWN), |ui| {
+    let arrange = ui.menu_button(format!("Arrange {}", icon::CARET_DOWN), |ui| {
         if ui.button("Turn upside down").clicked() {
             actions.push(change::replace(reading, "Turn colour levels", change::upside_down(*levels)));
         }
@@ -70,6 +75,7 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut
             actions.push(change::replace(reading, "Space colour levels", change::evenly_spaced(*levels)));
         }
     });
+    name_it(ui, &arrange.response, "Arrange colour levels");
 }
 
 fn offer(ui: &mut Ui, preset: &Preset) -> bool {

@@ -9,8 +9,9 @@ use cloudwright_core::parameter::LEVEL_HEIGHT;
 use cloudwright_core::scene::{ColorLevel, ColorLevels};
 use egui::{CursorIcon, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, pos2, vec2};
 
+/// Of the scale, points: it takes what room there is.
+const HEIGHT: std::ops::RangeInclusive<f32> = 110.0..=260.0;
 /// Points.
-const HEIGHT: f32 = 156.0;
 const BAR_WIDTH: f32 = 34.0;
 /// Between bar and cloud: where the handles hang.
 const GUTTER: f32 = 26.0;
@@ -22,8 +23,8 @@ const TIP: f32 = 6.0;
 pub(crate) const STEP: f64 = 0.01;
 
 /// Handles change `levels`, and the one that is touched is `chosen`.
-pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, levels: &mut ColorLevels, chosen: &mut usize) {
-    let size = vec2(ui.available_width(), HEIGHT + TAG.y);
+pub(super) fn show(ui: &mut Ui, room: f32, reading: &Reading<'_>, levels: &mut ColorLevels, chosen: &mut usize) {
+    let size = vec2(ui.available_width(), room.clamp(*HEIGHT.start(), *HEIGHT.end()));
     let (whole, _) = ui.allocate_exact_size(size, Sense::hover());
     let rect = whole.shrink2(vec2(0.0, TAG.y * 0.5));
     let bar = Rect::from_min_size(rect.min, vec2(BAR_WIDTH, rect.height()));

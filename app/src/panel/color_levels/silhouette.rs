@@ -19,7 +19,7 @@ const CORNERS: usize = 12;
 /// Of a sprite's opacity: its tile is soft too.
 const MIDDLE_SHARE: f32 = 0.62;
 /// Where a shape begins to fade, and how much of it is left there.
-const RING: (f32, f32) = (0.55, 0.4);
+const RING: (f32, f32) = (0.68, 0.7);
 /// Steps of the ramp of colours.
 const RAMP: usize = 128;
 /// Left free at the sides, points.
@@ -43,7 +43,7 @@ pub(super) fn paint(ui: &Ui, rect: Rect, reading: &Reading<'_>, levels: &ColorLe
         let mut mesh = Mesh::default();
         let ramp = Ramp::new(levels);
         for sprite in sprites {
-            soft_shape(&mut mesh, &map, &ramp, sprite.position.dot(right), sprite.position.y, sprite.radius());
+            soft_shape(&mut mesh, &map, &ramp, [sprite.position.dot(right), sprite.position.y], radii(sprite));
         }
         painter.add(mesh);
     }
@@ -69,8 +69,8 @@ impl Map {
     /// None for a cloud without extent.
     fn new(rect: Rect, cloud: &PlacedCloud, sprites: &[&Sprite], right: Vec3) -> Option<Self> {
         let ends = sprites.iter().map(|sprite| {
-            let at = sprite.position.dot(right);
-            (at - sprite.radius(), at + sprite.radius())
+            let (at, [wide, _]) = (sprite.position.dot(right), radii(sprite));
+            (at - wide, at + wide)
         });
         let (left, right) = ends.reduce(|(l, r), (low, high)| (l.min(low), r.max(high)))?;
         let up = rect.height() / (cloud.top - cloud.bottom);
@@ -106,15 +106,22 @@ impl Ramp {
     }
 }
 
+/// Across and up, of the ellipse that a sprite's tile fills, metres.
+fn radii(sprite: &Sprite) -> [f32; 2] {
+    let (sin, cos) = sprite.rotation.sin_cos();
+    let (width, height) = (sprite.width * 0.5, sprite.height * 0.5);
+    [(width * cos).hypot(height * sin), (width * sin).hypot(height * cos)]
+}
+
 /// Each corner has the colour of its own height, as the corners of sprites do.
-fn soft_shape(mesh: &mut Mesh, map: &Map, ramp: &Ramp, x: f32, y: f32, radius: f32) {
+fn soft_shape(mesh: &mut Mesh, map: &Map, ramp: &Ramp, [x, y]: [f32; 2], [wide, high]: [f32; 2]) {
     let first = mesh.vertices.len() as u32;
     mesh.colored_vertex(map.at(x, y), ramp.at(map.height(y))[0]);
     for i in 0..CORNERS {
         let (sin, cos) = (i as f32 / CORNERS as f32 * std::f32::consts::TAU).sin_cos();
-        let (inner_x, inner_y) = (x + cos * radius * RING.0, y + sin * radius * RING.0);
+        let (inner_x, inner_y) = (x + cos * wide * RING.0, y + sin * high * RING.0);
         mesh.colored_vertex(map.at(inner_x, inner_y), ramp.at(map.height(inner_y))[1]);
-        mesh.colored_vertex(map.at(x + cos * radius, y + sin * radius), Color32::TRANSPARENT);
+        mesh.colored_vertex(map.at(x + cos * wide, y + sin * high), Color32::TRANSPARENT);
     }
     for i in 0..CORNERS as u32 {
         let (this, next) = (first + 1 + 2 * i, first + 1 + 2 * ((i + 1) % CORNERS as u32));

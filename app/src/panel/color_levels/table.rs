@@ -7,6 +7,13 @@ use cloudwright_core::parameter::{ALPHA, LEVEL_HEIGHT};
 use cloudwright_core::scene::ColorLevels;
 use egui::{Grid, Ui};
 
+/// What [`show`] will take, points: a row of heads and the levels.
+pub(super) fn height(ui: &Ui) -> f32 {
+    let spacing = ui.spacing();
+    let heads = ui.text_style_height(&egui::TextStyle::Body) + spacing.item_spacing.y;
+    heads + 5.0 * (spacing.interact_size.y + spacing.item_spacing.y) + spacing.item_spacing.y
+}
+
 /// Fields change `levels`, and the one that is touched is `chosen`.
 pub(super) fn show(ui: &mut Ui, levels: &mut ColorLevels, chosen: &mut usize) {
     let chosen_row = levels.len() - (*chosen).min(levels.len() - 1);

@@ -11,11 +11,11 @@ use egui::{Align2, Color32, FontId, Pos2, Sense, Shape, Stroke, Ui, Vec2, vec2};
 use glam::Vec3;
 
 /// Points.
-const SIDE: f32 = 118.0;
+const SIDE: f32 = 100.0;
 /// Of the horizon.
-const RADIUS: f32 = 42.0;
+const RADIUS: f32 = 36.0;
 /// Outside the horizon: where the nadir is.
-const BELOW: f32 = 10.0;
+const BELOW: f32 = 8.0;
 
 /// The sun where it was dragged to.
 pub(super) fn show(ui: &mut Ui, sun: Sun, place: &Place, hour: f64, path: &SunPath) -> Option<Sun> {
@@ -80,7 +80,7 @@ mod tests {
 
     #[test]
     fn the_sun_lies_where_it_was_dragged_to() {
-        for (x, y) in [(0.0, -20.0), (25.0, 10.0), (-30.0, -5.0), (0.0, 0.0), (48.0, 0.0), (-200.0, 300.0)] {
+        for (x, y) in [(0.0, -20.0), (25.0, 10.0), (-30.0, -5.0), (0.0, 0.0), (40.0, 0.0), (-200.0, 300.0)] {
             let place = vec2(x, y);
             let sun = sun_at(place);
             let again = place_of(sun_direction(sun, &Place::default(), 0.0));

@@ -22,6 +22,8 @@ use sun_path::SunPath;
 
 /// Of the slider, hours: two minutes are as fine as a hand can be.
 const TIME_STEP_H: f64 = 1.0 / 30.0;
+/// Of its field, points.
+const SPEED_WIDTH: f32 = 92.0;
 const TIME_SPEED: Parameter = Parameter {
     name: "time_speed",
     label: "Speed of time",
@@ -61,6 +63,9 @@ fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
             actions.push(Action::Command(Command::PlayTime));
         }
         let mut hour = reading.hour();
+        let (fields, gaps) = (ui.spacing().interact_size.x + 2.0 * ui.spacing().button_padding.x + SPEED_WIDTH, 3.0);
+        let room = ui.available_width() - fields - gaps * ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = room.max(60.0);
         if time_slider(ui, &mut hour) {
             let live = ui.input(|input| input.pointer.any_down());
             actions.push(Action::change("Time of day", Edit::TimeOfDay(hour), live));
@@ -106,7 +111,6 @@ fn light(ui: &mut Ui, reading: &Reading<'_>, path: &SunPath, actions: &mut Vec<A
         let sky = Sky { ambient, ..sky.clone() };
         actions.push(Action::change("Ambient light", Edit::Sky(sky), live));
     }
-    strip::axis(ui, path);
     let directional = Strip {
         name: "Directional",
         doc: "The sun's light on the clouds, or the moon's.",

@@ -15,14 +15,16 @@ use cloudwright_core::math::clock;
 use cloudwright_core::parameter::{ALPHA, Parameter, TIME_OF_DAY_H};
 use cloudwright_core::scene::{DailyKey, DailyTable};
 use egui::{
-    Align, Button, CursorIcon, DragValue, Id, Key, Layout, Mesh, Modifiers, Pos2, Rect, Response, Sense, Shape, Stroke,
-    Ui, pos2, vec2,
+    Align, Align2, Button, Color32, CursorIcon, DragValue, FontId, Id, Key, Layout, Mesh, Modifiers, Pos2, Rect,
+    Response, Sense, Shape, Stroke, Ui, pos2, vec2,
 };
 
 /// Points.
 const BAND_HEIGHT: f32 = 24.0;
 /// Of a key's handle, points.
 const TAG: egui::Vec2 = vec2(10.0, 16.0);
+/// Of the row of hours, points.
+const AXIS_HEIGHT: f32 = 15.0;
 /// Of a handle's tip, points.
 const TIP: f32 = 5.0;
 /// Of an arrow key, hours.
@@ -90,10 +92,11 @@ impl Strip<'_> {
     }
 
     fn band(&self, ui: &mut Ui, chosen: usize, chosen_id: Id, live: &mut bool) -> Option<keys::Held> {
-        let size = vec2(ui.available_width(), BAND_HEIGHT + TAG.y + TIP);
+        let size = vec2(ui.available_width(), BAND_HEIGHT + TAG.y + AXIS_HEIGHT);
         let (whole, _) = ui.allocate_exact_size(size, Sense::hover());
         let band = Rect::from_min_size(whole.min, vec2(whole.width(), BAND_HEIGHT)).shrink2(vec2(TAG.x * 0.5, 0.0));
         self.paint_band(ui, band);
+        self.paint_axis(ui, band);
         let response = ui.interact(band, ui.scope_id().with((self.name, "band")), Sense::click());
         name_it(ui, &response, &format!("{} over the day", self.name));
         let hour_at = |at: Pos2| 24.0 * f64::from((at.x - band.left()) / band.width());
@@ -135,7 +138,7 @@ impl Strip<'_> {
         let key = &self.table.keys[index];
         let handled = Handle {
             id: self.handle_id(ui, index),
-            rect: Rect::from_min_size(pos2(at_hour(band, key.hour) - TAG.x * 0.5, band.bottom()), TAG + vec2(0.0, TIP)),
+            rect: Rect::from_min_size(pos2(at_hour(band, key.hour) - TAG.x * 0.5, band.bottom()), TAG),
             name: &format!("{} key {}", self.name, index + 1),
             parameter: &KEY_HOUR,
             value: key.hour,
@@ -196,8 +199,28 @@ impl Strip<'_> {
             painter.vline(x, band.bottom() - 6.0..=band.bottom(), stroke);
         }
         let now = at_hour(band, self.hour);
-        painter.vline(now, band.expand(1.0).y_range(), Stroke::new(3.0, theme::NOW_EDGE));
-        painter.vline(now, band.expand(1.0).y_range(), Stroke::new(1.0, theme::NOW));
+        painter.vline(now, band.y_range(), Stroke::new(1.5, theme::NOW));
+        let head = [(-4.0, -3.0), (4.0, -3.0), (0.0, 3.0)].map(|(x, y)| pos2(now + x, band.top() + y));
+        painter.add(Shape::convex_polygon(head.to_vec(), theme::NOW, Stroke::NONE));
+    }
+
+    /// Hours below the handles, with the sun's rise and set in the place of those that they would hide.
+    fn paint_axis(&self, ui: &Ui, band: Rect) {
+        let middle = band.bottom() + TAG.y + AXIS_HEIGHT * 0.5;
+        let put = |hour: f64, text: &str, size: f32, color: Color32| {
+            let at = pos2(at_hour(band, hour), middle);
+            ui.painter().text(at, Align2::CENTER_CENTER, text, FontId::proportional(size), color);
+        };
+        let suns: Vec<f64> = [self.path.sunrise_h, self.path.sunset_h].into_iter().flatten().collect();
+        for hour in (0..=24_u8).step_by(3) {
+            let hidden = suns.iter().any(|sun| (sun - f64::from(hour)).abs() < 1.2);
+            if !hidden {
+                put(hour.into(), &hour.to_string(), 10.0, ui.visuals().weak_text_color());
+            }
+        }
+        for sun in suns {
+            put(sun, icon::SUN, 12.0, theme::sun_mark(ui));
+        }
     }
 
     fn paint_tag(&self, ui: &Ui, band: Rect, key: &DailyKey<Rgba>, chosen: bool, tag: Response) {
@@ -218,28 +241,6 @@ impl Strip<'_> {
             ui.painter().rect_stroke(ring, 3.0, ui.visuals().selection.stroke, egui::StrokeKind::Outside);
         }
         tag.on_hover_cursor(CursorIcon::ResizeHorizontal).on_hover_text(clock(key.hour));
-    }
-}
-
-/// Hours along all strips, with the sun's rise and set.
-pub(super) fn axis(ui: &mut Ui, path: &SunPath) {
-    let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), 14.0), Sense::hover());
-    let rect = rect.shrink2(vec2(TAG.x * 0.5, 0.0));
-    let font = egui::FontId::proportional(10.5);
-    let weak = ui.visuals().weak_text_color();
-    for hour in [0_u8, 6, 12, 18, 24] {
-        let align = match hour {
-            0 => egui::Align2::LEFT_BOTTOM,
-            24 => egui::Align2::RIGHT_BOTTOM,
-            _ => egui::Align2::CENTER_BOTTOM,
-        };
-        let at = pos2(at_hour(rect, hour.into()), rect.bottom());
-        ui.painter().text(at, align, hour.to_string(), font.clone(), weak);
-    }
-    for hour in [path.sunrise_h, path.sunset_h].into_iter().flatten() {
-        let at = pos2(at_hour(rect, hour), rect.bottom());
-        let color = theme::sun_mark(ui);
-        ui.painter().text(at, egui::Align2::CENTER_BOTTOM, icon::SUN, egui::FontId::proportional(12.0), color);
     }
 }
 
