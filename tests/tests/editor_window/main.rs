@@ -4,6 +4,7 @@
 
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
+mod colors;
 mod editing;
 mod files;
 mod viewing;

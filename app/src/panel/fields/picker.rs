@@ -3,10 +3,11 @@
 
 use super::name_it;
 use crate::theme;
+use egui::accesskit::Role;
 use egui::ecolor::HsvaGamma;
 use egui::{
     Color32, DragValue, Id, Mesh, Popup, PopupCloseBehavior, Pos2, Rect, Response, Sense, Stroke, StrokeKind, TextEdit,
-    Ui, Vec2, WidgetInfo, WidgetType, pos2, vec2,
+    Ui, Vec2, WidgetInfo, pos2, vec2,
 };
 
 /// Points.
@@ -19,7 +20,7 @@ const PARTS: u32 = 24;
 pub(super) fn button(ui: &mut Ui, label: &str, srgb: &mut [u8; 3]) -> Response {
     let (rect, mut response) = ui.allocate_exact_size(ui.spacing().interact_size, Sense::click());
     let enabled = ui.is_enabled();
-    response.widget_info(|| WidgetInfo::labeled(WidgetType::ColorButton, enabled, label));
+    response.widget_info(|| WidgetInfo::labeled(Role::ColorWell, enabled, label));
     let visuals = ui.style().interact(&response);
     ui.painter().rect(rect.shrink(1.0), visuals.corner_radius, color32(*srgb), visuals.bg_stroke, StrokeKind::Inside);
     if response.has_focus() {
