@@ -10,8 +10,7 @@ use egui::{Grid, Ui};
 /// What [`show`] will take, points: a row of heads and the levels.
 pub(super) fn height(ui: &Ui) -> f32 {
     let spacing = ui.spacing();
-    let heads = ui.text_style_height(&egui::TextStyle::Body) + spacing.item_spacing.y;
-    heads + 5.0 * (spacing.interact_size.y + spacing.item_spacing.y) + spacing.item_spacing.y
+    6.0 * (spacing.interact_size.y + spacing.item_spacing.y) + spacing.item_spacing.y
 }
 
 /// Fields change `levels`, and the one that is touched is `chosen`.

@@ -111,7 +111,12 @@ fn place(rect: Rect, at: Vec2) -> Pos2 {
 fn hex(ui: &mut Ui, id: Id, label: &str, srgb: &mut [u8; 3]) {
     let shown = || format!("#{:02x}{:02x}{:02x}", srgb[0], srgb[1], srgb[2]);
     let mut text = ui.data(|data| data.get_temp(id)).unwrap_or_else(shown);
-    let response = ui.add(TextEdit::singleline(&mut text).desired_width(58.0));
+    let response = ui.add(
+        TextEdit::singleline(&mut text)
+            .desired_width(58.0)
+            .align(egui::Align2::LEFT_CENTER)
+            .min_size(vec2(0.0, ui.spacing().interact_size.y)),
+    );
     name_it(ui, &response, &format!("{label} sRGB"));
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, text));

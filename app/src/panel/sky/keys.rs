@@ -84,14 +84,14 @@ mod tests {
 
     #[test]
     fn keys_move_round_the_clock_in_order() {
-        let start = table(&[2.0, 8.0, 20.0]);
+        let start = table(&[2.0, 8.0, 18.0]);
         let to = |hour| hours(&moved(&start, 2, hour).expect("there is room"));
-        assert_eq!(to(5.0), (vec![2.0, 5.0, 8.0], 20.0));
-        assert_eq!(to(24.5), (vec![0.5, 2.0, 8.0], 20.0));
-        assert_eq!(to(-1.0), (vec![2.0, 8.0, 23.0], 20.0));
-        assert_eq!(to(23.9999), (vec![0.0, 2.0, 8.0], 20.0));
-        assert_eq!(to(8.0), (vec![2.0, 8.0, 8.0 + APART_H], 20.0), "stops just beside");
-        assert_eq!(hours(&moved(&start, 0, 8.0).expect("room")).0, [8.0 - APART_H, 8.0, 20.0]);
+        assert_eq!(to(5.0), (vec![2.0, 5.0, 8.0], 18.0));
+        assert_eq!(to(24.5), (vec![0.5, 2.0, 8.0], 18.0));
+        assert_eq!(to(-1.0), (vec![2.0, 8.0, 23.0], 18.0));
+        assert_eq!(to(23.9999), (vec![0.0, 2.0, 8.0], 18.0));
+        assert_eq!(to(8.0), (vec![2.0, 8.0, 8.0 + APART_H], 18.0), "stops just beside");
+        assert_eq!(hours(&moved(&start, 0, 8.0).expect("room")).0, [8.0 - APART_H, 8.0, 18.0]);
         assert!(moved(&start, 3, 1.0).is_none() && moved(&start, 0, f64::NAN).is_none());
     }
 
