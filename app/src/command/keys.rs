@@ -1,21 +1,35 @@
 //! Which commands' keys were pressed.
 
 use super::{Command, Row, TABLE};
+use egui::{Context, Id, Response};
 
 /// The commands whose keys were pressed. Keys with more modifiers are looked at first, so that undo does not take redo's.
 ///
 /// While text is typed, plain keys and those that texts use themselves are left to it.
-pub(crate) fn pressed(context: &egui::Context) -> Vec<Command> {
+pub(crate) fn pressed(context: &Context) -> Vec<Command> {
     let typing = context.text_edit_focused();
+    let focused = context.memory(|memory| memory.focused());
+    let delete_is_taken = focused.is_some() && focused == context.data(|data| data.get_temp(owner_of_delete()));
     let mut rows: Vec<&Row> = TABLE.iter().filter(|row| row.shortcut.is_some()).collect();
     rows.sort_by_key(|row| row.shortcut.is_some_and(|shortcut| !shortcut.modifiers.shift && !shortcut.modifiers.alt));
     context.input_mut(|input| {
         let hit = |row: &&Row| {
-            let leave_to_text = typing && belongs_to_text(row);
-            !leave_to_text && row.shortcut.is_some_and(|shortcut| input.consume_shortcut(&shortcut))
+            let leave = (typing && belongs_to_text(row)) || (delete_is_taken && row.command == Command::Delete);
+            !leave && row.shortcut.is_some_and(|shortcut| input.consume_shortcut(&shortcut))
         };
         rows.into_iter().filter(hit).map(|row| row.command).collect()
     })
+}
+
+/// While `handle` has the focus, Delete is its own and not the selection's.
+pub(crate) fn delete_belongs_to(context: &Context, handle: &Response) {
+    if handle.has_focus() {
+        context.data_mut(|data| data.insert_temp(owner_of_delete(), handle.id));
+    }
+}
+
+fn owner_of_delete() -> Id {
+    Id::unique("owner of the Delete key")
 }
 
 fn belongs_to_text(row: &Row) -> bool {

@@ -6,7 +6,7 @@
 mod keys;
 pub mod manual;
 
-pub(crate) use keys::pressed;
+pub(crate) use keys::{delete_belongs_to, pressed};
 
 use crate::theme::icon;
 use egui::{Key, KeyboardShortcut, Modifiers};

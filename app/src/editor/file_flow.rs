@@ -86,6 +86,7 @@ impl Editor {
         self.viewport.see(&session);
         self.session = session;
         self.desk.known = known;
+        self.time_play.drop_hour();
         self.view = ViewState { tool: self.view.tool, snap: self.view.snap, ..ViewState::default() };
     }
 

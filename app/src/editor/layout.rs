@@ -46,6 +46,12 @@ impl Layout {
         self.changed |= panes.changed;
     }
 
+    /// Whether a panel is on the screen: not closed, and not behind another one's tab.
+    pub(super) fn shows(&self, panel: Panel) -> bool {
+        let tile = self.tree.tiles.find_pane(&panel);
+        tile.is_some_and(|tile| self.tree.active_tiles().contains(&tile))
+    }
+
     /// All panels to their places.
     pub(super) fn reset(&mut self) {
         *self = Self { changed: true, ..Self::default() };
@@ -146,6 +152,7 @@ mod tests {
         let mut layout = Layout::default();
         layout.bring_up(Panel::Sky);
         assert!(layout.take_changed() && !layout.take_changed());
+        assert!(layout.shows(Panel::Sky) && !layout.shows(Panel::ColorLevels));
         let saved = layout.to_saved().expect("it can be saved");
         let again = Layout::from_saved(&saved).expect("it is a layout");
         assert_eq!(again.tree, layout.tree);

@@ -32,6 +32,7 @@ pub(crate) use selection::{box_of, camera_of, group_of};
 pub use session::{Pending, Session};
 pub(crate) use starter::placement;
 pub(crate) use starter::scene as starter_scene;
+pub(crate) use time_play::TimePlay;
 pub use view::{Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
@@ -52,7 +53,6 @@ use layout::Layout;
 use place_many::PlaceMany;
 use std::cell::RefCell;
 use std::path::PathBuf;
-use time_play::TimePlay;
 use toasts::Toasts;
 
 /// The editor: an open document, how it is looked at, and what is being asked.
@@ -209,10 +209,19 @@ impl Editor {
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
-            panel::status(ui, &self.session, &self.viewport, &mut actions);
+            let hour = self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h);
+            panel::status(ui, &self.session, hour, &self.viewport, &mut actions);
         });
-        let Self { session, view, viewport, layout, thumbnails, .. } = self;
-        let reading = Reading { session, view, thumbnails };
+        let Self { session, view, viewport, layout, thumbnails, time_play, copied_levels, .. } = self;
+        let reading = Reading {
+            session,
+            view,
+            thumbnails,
+            time_play,
+            copied_levels: copied_levels.as_ref(),
+            view_heading_deg: viewport.camera().heading_deg,
+            levels_shown: layout.shows(Panel::ColorLevels),
+        };
         egui::CentralPanel::no_frame().show(ui, |ui| {
             layout.show(ui, |panel, ui| match panel {
                 Panel::Viewport => viewport.show(ui, &reading, &mut actions),
@@ -240,6 +249,7 @@ impl eframe::App for Editor {
         self.take_dropped_files(&context);
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
+        self.run_time(&context);
         let mut actions: Vec<Action> = Vec::new();
         if !self.dialogs.is_open() && self.palette.is_none() && self.place_many.is_none() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));

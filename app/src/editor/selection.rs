@@ -125,6 +125,17 @@ impl Selection {
         scene.model(model_of(self.primary()?, scene)?)
     }
 
+    /// The models of all that is selected, each once, the primary's first.
+    pub(crate) fn models<'s>(&self, scene: &'s Scene) -> Vec<&'s CloudModel> {
+        let mut models: Vec<&CloudModel> = Vec::new();
+        for id in self.items.iter().rev().filter_map(|item| model_of(*item, scene)) {
+            if !models.iter().any(|model| model.id == id) {
+                models.extend(scene.model(id));
+            }
+        }
+        models
+    }
+
     /// The placement that the primary is seen in: the cloud itself, the one that it was picked in, or the first of its
     /// model.
     pub(crate) fn cloud<'s>(&self, scene: &'s Scene) -> Option<&'s Cloud> {

@@ -8,6 +8,7 @@
 mod category;
 pub(super) mod color;
 mod number;
+mod picker;
 mod refusal;
 mod text;
 

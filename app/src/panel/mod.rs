@@ -4,10 +4,12 @@
 
 mod bars;
 mod camera;
+mod checkerboard;
 mod cloud;
 mod cloud_box;
-mod color_levels;
+pub(crate) mod color_levels;
 mod fields;
+pub(crate) mod handle;
 mod history;
 mod inspector;
 mod kept;
@@ -29,9 +31,10 @@ pub(crate) use place_many::{ask_place_many, default_places};
 pub use preset_gallery::{category_gallery, preset_gallery};
 pub(crate) use status::status;
 
-use crate::editor::{Action, Session, ViewState};
+use crate::editor::{Action, Session, TimePlay, ViewState};
 use crate::theme::icon;
 use crate::thumbnail::Thumbnails;
+use cloudwright_core::scene::ColorLevels;
 use egui::Ui;
 use serde::{Deserialize, Serialize};
 use std::cell::RefCell;
@@ -67,6 +70,21 @@ pub(crate) struct Reading<'a> {
     pub(crate) view: &'a ViewState,
     /// Pictures of categories, drawn when they are asked for.
     pub(crate) thumbnails: &'a RefCell<Thumbnails>,
+    /// The time of day, if it runs.
+    pub(crate) time_play: &'a TimePlay,
+    /// Colour levels to paste.
+    pub(crate) copied_levels: Option<&'a ColorLevels>,
+    /// Clockwise from north: where the viewport looks.
+    pub(crate) view_heading_deg: f64,
+    /// Whether the panel of colour levels is on the screen.
+    pub(crate) levels_shown: bool,
+}
+
+impl Reading<'_> {
+    /// The hour that is shown: the running one, or the scene's.
+    pub(crate) fn hour(&self) -> f64 {
+        self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
+    }
 }
 
 impl Panel {

@@ -6,8 +6,8 @@ use crate::viewport::Viewport;
 use cloudwright_core::math::clock;
 use egui::{Align, Layout, Ui};
 
-/// The status bar.
-pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport, actions: &mut Vec<Action>) {
+/// The status bar, with the hour that is shown.
+pub(crate) fn status(ui: &mut Ui, session: &Session, hour: f64, viewport: &Viewport, actions: &mut Vec<Action>) {
     let clouds = session.derived().clouds();
     let kept: usize = clouds.iter().map(|cloud| cloud.sprites.len()).sum();
     let tried: usize = clouds.iter().map(|cloud| cloud.candidate_count).sum();
@@ -20,7 +20,7 @@ pub(crate) fn status(ui: &mut Ui, session: &Session, viewport: &Viewport, action
         ui.label(format!("{} cloud{}", clouds.len(), if clouds.len() == 1 { "" } else { "s" }));
         ui.label(format!("{kept} / {tried} sprites")).on_hover_text("Kept, and tried before culling.");
         ui.separator();
-        ui.label(clock(session.scene().time_of_day_h));
+        ui.label(clock(hour));
         if let Some(overdraw) = viewport.overdraw() {
             ui.label(format!("{overdraw:.1}×")).on_hover_text("Overdraw: sprites blended on a pixel, in the mean.");
         }

@@ -98,6 +98,24 @@ pub(crate) const GIZMO_WIDTH: f32 = 3.5;
 pub(crate) const GIZMO_SIZE: f32 = 84.0;
 /// Around a handle.
 pub(crate) const HANDLE_RIM: Stroke = Stroke { width: 1.0, color: Color32::from_rgb(40, 26, 6) };
+/// What is chosen among handles.
+pub(crate) const CHOSEN: Color32 = SELECTED_BOX.color;
+/// Shows through where a colour is clear.
+pub(crate) const CHECKERBOARD: [Color32; 2] = [Color32::from_gray(168), Color32::from_gray(122)];
+/// Behind a cloud's silhouette: a sky that white and dark clouds both stand out from.
+pub(crate) const SILHOUETTE_SKY: Color32 = Color32::from_rgb(58, 84, 118);
+/// On that sky.
+pub(crate) const SILHOUETTE_TEXT: Color32 = Color32::from_rgba_premultiplied(200, 206, 214, 215);
+/// A colour level's height across the silhouette.
+pub(crate) const LEVEL_GUIDE: Color32 = Color32::from_rgba_premultiplied(62, 62, 62, 62);
+/// The sun, its rise and its set.
+pub(crate) const SUN: Color32 = Color32::from_rgb(255, 208, 92);
+/// The sun below the horizon.
+pub(crate) const SUN_BELOW: Color32 = Color32::from_rgb(122, 112, 96);
+/// The sun's way over the day.
+pub(crate) const SUN_PATH: Color32 = Color32::from_rgb(226, 190, 110);
+/// The present hour on a strip: no sky has this colour.
+pub(crate) const NOW: Color32 = Color32::from_rgb(232, 48, 58);
 /// Behind text in the viewport.
 pub(crate) const VIEWPORT_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 110);
 /// Text in the viewport, on that shade.
@@ -227,6 +245,16 @@ pub(crate) fn warning(ui: &Ui) -> Color32 {
 /// From one colour towards another by that share.
 pub(crate) fn mix(from: Color32, to: Color32, share: f32) -> Color32 {
     from.lerp_to_gamma(to, share)
+}
+
+/// Around a handle in a colour of the artist's.
+pub(crate) fn tag_edge(ui: &Ui) -> Color32 {
+    ui.visuals().widgets.inactive.fg_stroke.color
+}
+
+/// Sunrise and sunset, on the panel's ground.
+pub(crate) fn sun_mark(ui: &Ui) -> Color32 {
+    if ui.visuals().dark_mode { SUN } else { Color32::from_rgb(176, 116, 0) }
 }
 
 /// What is wrong.

@@ -9,6 +9,7 @@ mod box_tool;
 mod cameras;
 mod faces;
 mod gizmo;
+mod level_handles;
 mod marks;
 mod marquee;
 mod navigation;
@@ -36,7 +37,7 @@ use marks::Marks;
 use marquee::Marquee;
 use navigation::Navigation;
 use pick::{Clicks, Picked};
-use picture::PictureSource;
+use picture::{PictureSource, Shot};
 use screen::Screen;
 use std::time::Duration;
 
@@ -147,17 +148,20 @@ impl Viewport {
         wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
         cameras::paint(&painter, &screen, reading);
         self.work(ui, &response, &painter, &screen, reading, actions);
+        level_handles::show(ui, rect, &screen.view, reading, actions);
         overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
         overlay::show(ui, rect, reading, actions);
     }
 
     fn paint_picture(&mut self, ui: &Ui, response: &Response, painter: &Painter, reading: &Reading<'_>) {
         let session = reading.session;
-        let quick = (response.dragged() && !self.marquee.is_on()) || session.document().is_open();
+        let quick =
+            (response.dragged() && !self.marquee.is_on()) || session.document().is_open() || reading.time_play.is_on();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round();
         let size = [pixels.x as u32, pixels.y as u32];
         let hidden = reading.view.hidden_in(session.scene());
-        self.picture.ask(session, self.navigation.camera(), size, quick, hidden);
+        let shot = Shot { camera: self.navigation.camera().clone(), hour: reading.hour(), size, hidden };
+        self.picture.ask(session, shot, quick);
         match self.picture.texture() {
             Some(texture) => {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));

@@ -10,8 +10,11 @@ use crate::editor::Session;
 use crate::renderer::RendererChoice;
 use by_cpu::ByCpu;
 use by_gpu::ByGpu;
+use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::scene::Camera;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sprites::Atlas;
 use cloudwright_core::version::Version;
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
@@ -27,9 +30,25 @@ const MAX_SIDE: u32 = 8192;
 #[derive(PartialEq)]
 struct Key {
     revision: Version,
-    camera: Camera,
-    size: [u32; 2],
-    hidden: Hidden,
+    shot: Shot,
+}
+
+/// How the scene is looked at.
+#[derive(Clone, PartialEq)]
+pub(super) struct Shot {
+    pub(super) camera: Camera,
+    /// Local civil hours.
+    pub(super) hour: f64,
+    /// Pixels.
+    pub(super) size: [u32; 2],
+    /// What is left out.
+    pub(super) hidden: Hidden,
+}
+
+impl Shot {
+    fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, atlas: &'a Atlas) -> Frame<'a> {
+        Frame::hiding(scene, derived, atlas, &self.camera, self.hour, self.size, &self.hidden)
+    }
 }
 
 /// Draws the viewport's pictures.
@@ -80,25 +99,25 @@ impl PictureSource {
         }
     }
 
-    /// Has a picture of `size` pixels drawn if it would be another than the last one. While a hand moves something,
-    /// `quick` lets a slow renderer draw less. What is `hidden` is left out.
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], quick: bool, hidden: Hidden) {
+    /// Has a picture drawn if it would be another than the last one. While a hand moves something, `quick` lets a slow
+    /// renderer draw less.
+    pub(super) fn ask(&mut self, session: &Session, mut shot: Shot, quick: bool) {
         self.coarseness = match &self.source {
             Source::Cpu(cpu) if quick => coarseness(self.coarseness, cpu.last()),
             _ => 1,
         };
-        let size = size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
-        let key = Key { revision: session.revision(), camera: camera.clone(), size, hidden };
+        shot.size = shot.size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
+        let key = Key { revision: session.revision(), shot };
         if self.asked.as_ref() == Some(&key) {
             return;
         }
         match &mut self.source {
-            Source::Cpu(cpu) => cpu.ask(session, camera, size, self.coarseness, &key.hidden),
+            Source::Cpu(cpu) => cpu.ask(session, &key.shot, self.coarseness),
             Source::Gpu(gpu) => {
-                if let Err(error) = gpu.draw(session, camera, size, &key.hidden) {
+                if let Err(error) = gpu.draw(session, &key.shot) {
                     let mut cpu = ByCpu::new(&self.context);
                     cpu.explain(&error);
-                    cpu.ask(session, camera, size, self.coarseness, &key.hidden);
+                    cpu.ask(session, &key.shot, self.coarseness);
                     self.source = Source::Cpu(cpu);
                 }
             }

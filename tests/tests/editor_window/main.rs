@@ -5,6 +5,7 @@
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
 mod arranging;
+mod colors;
 mod editing;
 mod files;
 mod gallery;

@@ -46,6 +46,9 @@ impl Editor {
         if self.gesture_dropped {
             return;
         }
+        if edits.iter().any(|edit| matches!(edit, Edit::TimeOfDay(_))) {
+            self.time_play.drop_hour();
+        }
         let mut done = self.session.drag(name, edits);
         if done.is_ok() && !live {
             done = self.session.commit();
@@ -79,7 +82,7 @@ impl Editor {
         match command {
             Command::OpenRecent => !self.desk.settings().recent().is_empty(),
             Command::Revert => self.session.path().is_some() && document.is_modified(),
-            Command::Undo => document.undo_name().is_some() || document.is_open(),
+            Command::Undo => document.undo_name().is_some() || document.is_open() || self.time_play.is_on(),
             Command::Redo => document.redo_name().is_some(),
             Command::AddBox | Command::PlaceModel | Command::PlaceMany | Command::Reroll | Command::AutoGroup => {
                 selection.model(scene).is_some()
@@ -180,7 +183,7 @@ impl Editor {
             Command::ScaleTool => self.view.tool = Tool::Scale,
             Command::BoxTool => self.view.tool = Tool::Box,
             Command::Snap => self.view.snap.on ^= true,
-            Command::PlayTime => self.time_play.toggle(),
+            Command::PlayTime => self.toggle_time(),
             Command::OutlinePanel => self.layout.bring_up(Panel::Outline),
             Command::InspectorPanel => self.layout.bring_up(Panel::Inspector),
             Command::LevelsPanel => self.layout.bring_up(Panel::ColorLevels),
@@ -192,7 +195,11 @@ impl Editor {
         }
     }
 
+    /// The time of day that runs is what was done last.
     fn undo(&mut self) {
+        if self.time_play.is_on() {
+            return self.time_play.drop_hour();
+        }
         self.session.undo();
         self.view.keep_what_is_in(self.session.scene());
     }

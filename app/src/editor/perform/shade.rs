@@ -2,6 +2,7 @@
 
 use crate::command::Command;
 use crate::editor::Editor;
+use crate::panel::color_levels::with_levels;
 use cloudwright_core::arrange::group::{self, Destination};
 use cloudwright_core::arrange::{Names, auto_group};
 use cloudwright_core::sprites::populate;
@@ -39,5 +40,11 @@ impl Editor {
         self.copied_levels = self.view.selection.model(self.session.scene()).map(|model| model.color_levels);
     }
 
-    pub(super) fn paste_levels(&mut self) {}
+    pub(super) fn paste_levels(&mut self) {
+        let Some(levels) = self.copied_levels else { return };
+        let models = self.view.selection.models(self.session.scene());
+        let edits = models.into_iter().map(|model| with_levels(model, levels)).collect();
+        let done = self.session.edit(Command::PasteLevels.row().label(), edits);
+        self.report(done);
+    }
 }

@@ -13,7 +13,7 @@ impl Editor {
             ViewChange::Locked(item, on) => set(&mut view.locked, item, on),
             ViewChange::BaseAltitude(metres) => view.base_altitude_m = Some(metres),
             ViewChange::Snap(snap) => view.snap = snap,
-            ViewChange::TimeSpeed(hours_a_minute) => self.time_play.hours_a_minute = hours_a_minute,
+            ViewChange::TimeSpeed(hours_a_minute) => self.time_play.set_speed(hours_a_minute),
         }
     }
 

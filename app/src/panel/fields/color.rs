@@ -1,43 +1,26 @@
 //! A colour with its brightness beside it: the picker shows sRGB, which ends at white.
 
-use super::{Fields, Values, name_it};
+use super::{number_field, picker};
 use cloudwright_core::color::{Rgb, linear_from_srgb, srgb_from_linear};
 use cloudwright_core::parameter::{self, Parameter};
 use egui::Ui;
 
-impl Fields<'_> {
-    /// A colour, and its opacity if it has one.
-    pub(in crate::panel) fn color(&mut self, label: &str, value: &mut Rgb, alpha: Option<&mut f32>) {
-        self.row(label, parameter::COLOR.doc, |values| {
-            values.color(label, value);
-            if let Some(alpha) = alpha {
-                values.alpha(label, alpha);
-            }
-        });
+const BRIGHTNESS: Parameter =
+    Parameter { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..parameter::COLOR };
+
+fn set_brightness(value: &mut Rgb, brightness: f64) {
+    let before = f64::from(brightness_of(*value));
+    if brightness != before {
+        *value = *value * (brightness / before) as f32;
     }
 }
 
-impl Values<'_> {
-    fn color(&mut self, label: &str, value: &mut Rgb) {
-        self.value(label, value, |ui, value| color_field(ui, label, value));
-        let name = format!("{label} brightness");
-        let mut brightness = f64::from(brightness_of(*value));
-        let before = brightness;
-        let parameter =
-            Parameter { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..parameter::COLOR };
-        self.number(&name, &parameter, &mut brightness);
-        if brightness != before {
-            *value = *value * (brightness / before) as f32;
-        }
-    }
-
-    fn alpha(&mut self, label: &str, alpha: &mut f32) {
-        let mut opacity = f64::from(*alpha);
-        self.number(&format!("{label} opacity"), &parameter::ALPHA, &mut opacity);
-        if opacity != f64::from(*alpha) {
-            *alpha = opacity as f32;
-        }
-    }
+/// How much brighter than white a colour is. Whether that was changed.
+pub(in crate::panel) fn brightness_field(ui: &mut Ui, name: &str, value: &mut Rgb) -> bool {
+    let mut brightness = f64::from(brightness_of(*value));
+    let changed = number_field(ui, name, &BRIGHTNESS, &mut brightness, false);
+    set_brightness(value, brightness);
+    changed
 }
 
 /// What a colour is divided by to fit into sRGB: 1 unless it is brighter than white.
@@ -55,8 +38,7 @@ pub(in crate::panel) fn srgb_of(color: Rgb) -> [u8; 3] {
 /// A button that opens the picker. Whether the colour was changed; its brightness stays.
 pub(in crate::panel) fn color_field(ui: &mut Ui, label: &str, value: &mut Rgb) -> bool {
     let mut bytes = srgb_of(*value);
-    let response = ui.color_edit_button_srgb(&mut bytes);
-    name_it(ui, &response, label);
+    let response = picker::button(ui, label, &mut bytes);
     let changed = response.on_hover_text(parameter::COLOR.doc).changed();
     if changed {
         let [r, g, b] = bytes.map(|c| linear_from_srgb(f32::from(c) / 255.0) * brightness_of(*value));

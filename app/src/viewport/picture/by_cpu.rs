@@ -1,15 +1,14 @@
 //! Pictures from a worker thread, at the resolution asked for; the latest request wins.
 
+use super::Shot;
 use crate::editor::Session;
 use crate::opening::{self, SceneAtlas};
 use crate::renderer::{RenderError, Renderer};
 use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::overdraw;
-use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::scene::Scene;
 use egui::{Color32, ColorImage, TextureHandle, TextureId, TextureOptions};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -19,10 +18,8 @@ struct Request {
     scene: Arc<Scene>,
     derived: Arc<Derived>,
     atlas: SceneAtlas,
-    camera: Camera,
-    size: [u32; 2],
+    shot: Shot,
     coarseness: u32,
-    hidden: Hidden,
 }
 
 struct Answer {
@@ -72,11 +69,10 @@ impl ByCpu {
         self.overdraw
     }
 
-    pub(super) fn ask(&mut self, session: &Session, camera: &Camera, size: [u32; 2], coarseness: u32, hidden: &Hidden) {
+    pub(super) fn ask(&mut self, session: &Session, shot: &Shot, coarseness: u32) {
         if let Some(worker) = &self.worker {
             let (scene, derived, atlas) = session.to_draw();
-            let (camera, hidden) = (camera.clone(), hidden.clone());
-            worker.ask(Request { scene, derived, atlas, camera, size, coarseness, hidden });
+            worker.ask(Request { scene, derived, atlas, shot: shot.clone(), coarseness });
         }
     }
 
@@ -103,8 +99,8 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, atlas, camera, size, coarseness, hidden } = request;
-    let frame = Frame::hiding(scene, derived, opening::sheet(atlas), camera, scene.time_of_day_h, *size, hidden);
+    let Request { scene, derived, atlas, shot, coarseness } = request;
+    let frame = shot.frame(scene, derived, opening::sheet(atlas));
     let picture = Renderer::Cpu.picture(&frame, 1);
     let time = begun.elapsed();
     // Counted at rest only: it is nothing that a gesture should wait for.

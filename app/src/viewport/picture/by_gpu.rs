@@ -1,11 +1,9 @@
 //! Pictures from the window's own device, in a texture that egui shows without a copy.
 
+use super::Shot;
 use crate::editor::Session;
 use crate::opening;
 use crate::renderer::gpu_name;
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::Frame;
-use cloudwright_core::scene::Camera;
 use cloudwright_render::{Gpu, RenderError, Renderer};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;
@@ -45,17 +43,10 @@ impl ByGpu {
         self.texture
     }
 
-    pub(super) fn draw(
-        &mut self,
-        session: &Session,
-        camera: &Camera,
-        size: [u32; 2],
-        hidden: &Hidden,
-    ) -> Result<(), RenderError> {
+    pub(super) fn draw(&mut self, session: &Session, shot: &Shot) -> Result<(), RenderError> {
         let begun = Instant::now();
         let (scene, derived, atlas) = session.to_draw();
-        let sheet = opening::sheet(&atlas);
-        let frame = Frame::hiding(&scene, &derived, sheet, camera, scene.time_of_day_h, size, hidden);
+        let frame = shot.frame(&scene, &derived, opening::sheet(&atlas));
         let view = self.renderer.draw(&self.gpu, &frame)?;
         let mut egui = self.window.renderer.write();
         let device = &self.window.device;

@@ -1,0 +1,123 @@
+//! The five colour levels of the selected models: an upright gradient with its handles beside the cloud that it paints,
+//! and below it all values as a table.
+//!
+//! What a hand does to the primary's levels is done to those of all selected models. The level that was touched last
+//! is the chosen one, here and on the cloud in the viewport.
+
+mod change;
+mod scale;
+mod silhouette;
+mod table;
+
+pub(crate) use change::{change, moved, with_levels};
+pub(crate) use scale::STEP;
+
+use super::Reading;
+use crate::command::Command;
+use crate::editor::Action;
+use crate::panel::fields::color::srgb_of;
+use crate::panel::fields::name_it;
+use crate::theme::icon;
+use cloudwright_core::color::Rgba;
+use cloudwright_core::preset::LevelPreset;
+use cloudwright_core::scene::ColorLevels;
+use cloudwright_core::shading::level_color;
+use egui::{Button, Color32, Context, Id, Painter, Rect, ScrollArea, Sense, Ui, vec2};
+
+/// The panel.
+pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let models = reading.view.selection.models(reading.session.scene());
+    let Some(model) = models.first() else {
+        ui.weak("Select a cloud to see its colour levels.");
+        return;
+    };
+    let room = ui.available_height();
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let top = ui.cursor().top();
+        ui.horizontal(|ui| tools(ui, reading, &model.color_levels, actions));
+        if models.len() > 1 {
+            ui.weak(format!("{} models: changes go to all of them", models.len()));
+        }
+        let mut levels = model.color_levels;
+        let mut chosen = chosen(ui.ctx());
+        let room = room - (ui.cursor().top() - top) - table::height(ui);
+        scale::show(ui, room, reading, &mut levels, &mut chosen);
+        table::show(ui, &mut levels, &mut chosen);
+        choose(ui.ctx(), chosen);
+        let live = ui.input(|input| input.pointer.any_down());
+        actions.extend(change(reading, &levels, live));
+    });
+}
+
+fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut Vec<Action>) {
+    let presets = ui.menu_button(format!("Presets {}", icon::CARET_DOWN), |ui| {
+        for preset in LevelPreset::all() {
+            if offer(ui, preset) {
+                actions.push(change::replace(reading, "Preset of colour levels", preset.levels));
+            }
+        }
+    });
+    name_it(ui, &presets.response, "Presets of colour levels");
+    for (command, text, enabled) in
+        [(Command::CopyLevels, "Copy", true), (Command::PasteLevels, "Paste", reading.copied_levels.is_some())]
+    {
+        let response = ui.add_enabled(enabled, Button::new(text));
+        if response.on_hover_text(command.row().tooltip(ui.ctx())).clicked() {
+            actions.push(Action::Command(command));
+        }
+    }
+    let arrange = ui.menu_button(format!("Arrange {}", icon::CARET_DOWN), |ui| {
+        if ui.button("Turn upside down").clicked() {
+            actions.push(change::replace(reading, "Turn colour levels", change::upside_down(*levels)));
+        }
+        if ui.button("Space evenly").clicked() {
+            actions.push(change::replace(reading, "Space colour levels", change::evenly_spaced(*levels)));
+        }
+    });
+    name_it(ui, &arrange.response, "Arrange colour levels");
+}
+
+fn offer(ui: &mut Ui, preset: &LevelPreset) -> bool {
+    const SWATCH: egui::Vec2 = vec2(18.0, 20.0);
+    ui.horizontal(|ui| {
+        let (rect, _) = ui.allocate_exact_size(SWATCH, Sense::hover());
+        paint_gradient(ui.painter(), rect, &preset.levels);
+        ui.button(preset.label).clicked()
+    })
+    .inner
+}
+
+/// The level that was touched last, 0 the lowest.
+pub(crate) fn chosen(context: &Context) -> usize {
+    context.data(|data| data.get_temp(chosen_id())).unwrap_or(2)
+}
+
+/// Another one is touched.
+pub(crate) fn choose(context: &Context, level: usize) {
+    context.data_mut(|data| data.insert_temp(chosen_id(), level));
+}
+
+fn chosen_id() -> Id {
+    Id::unique("chosen colour level")
+}
+
+/// As the eye sees it, with its opacity.
+pub(crate) fn color32(color: Rgba) -> Color32 {
+    let [r, g, b] = srgb_of(color.rgb);
+    Color32::from_rgba_unmultiplied(r, g, b, (color.a.clamp(0.0, 1.0) * 255.0).round() as u8)
+}
+
+/// The levels upright, row by row so that steps stay sharp, over a board that shows how clear they are.
+fn paint_gradient(painter: &Painter, rect: Rect, levels: &ColorLevels) {
+    super::checkerboard::paint(painter, rect);
+    let mut mesh = egui::Mesh::default();
+    let rows = rect.height().round().max(1.0) as u32;
+    let row_height = rect.height() / rows as f32;
+    for row in 0..rows {
+        let top = rect.top() + row as f32 * row_height;
+        let height = 1.0 - (row as f32 + 0.5) / rows as f32;
+        let color = color32(level_color(levels, height));
+        mesh.add_colored_rect(Rect::from_x_y_ranges(rect.x_range(), top..=top + row_height), color);
+    }
+    painter.add(mesh);
+}

@@ -1,0 +1,190 @@
+//! Time of day, the light over the day, the sun, the air and exposure.
+
+mod dome;
+mod keys;
+mod strip;
+mod sun_path;
+
+use super::Reading;
+use super::fields::{Fields, fields, heading, name_it, number_field};
+use crate::command::Command;
+use crate::editor::{Action, ViewChange};
+use crate::theme::icon;
+use cloudwright_core::color::{Rgb, Rgba};
+use cloudwright_core::document::Edit;
+use cloudwright_core::math::clock;
+use cloudwright_core::parameter::{self as p, Parameter};
+use cloudwright_core::scene::{DailyKey, DailyTable, Sky, Sun};
+use egui::{ScrollArea, Slider, SliderClamping, Ui};
+use std::slice::from_ref;
+use strip::Strip;
+use sun_path::SunPath;
+
+/// Of the slider, hours: two minutes are as fine as a hand can be.
+const TIME_STEP_H: f64 = 1.0 / 30.0;
+/// Of its field, points.
+const SPEED_WIDTH: f32 = 92.0;
+const TIME_SPEED: Parameter = Parameter {
+    name: "time_speed",
+    label: "Speed of time",
+    unit: "h/min",
+    min: 0.1,
+    max: 600.0,
+    default: 24.0,
+    doc: "Hours of the scene in a minute of yours.",
+};
+
+/// The panel.
+pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+        let scene = reading.session.scene();
+        let path = SunPath::of(ui.ctx(), scene.sun, &scene.place);
+        time(ui, reading, actions);
+        light(ui, reading, &path, actions);
+        heading(ui, "Sun");
+        ui.horizontal_top(|ui| {
+            if let Some(sun) = dome::show(ui, scene.sun, &scene.place, reading.hour(), &path) {
+                actions.push(Action::change("Sun", Edit::Sun(sun), ui.input(|input| input.pointer.any_down())));
+            }
+            ui.vertical(|ui| sun(ui, reading, actions));
+        });
+        heading(ui, "Air and exposure");
+        air(ui, reading, actions);
+    });
+}
+
+/// The hour, and time that runs.
+fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        let (glyph, name) = if reading.time_play.is_on() { (icon::PAUSE, "Stop") } else { (icon::PLAY, "Play") };
+        let button = ui.button(glyph);
+        name_it(ui, &button, name);
+        if button.on_hover_text(Command::PlayTime.row().tooltip(ui.ctx())).clicked() {
+            actions.push(Action::Command(Command::PlayTime));
+        }
+        let mut hour = reading.hour();
+        let (fields, gaps) = (ui.spacing().interact_size.x + 2.0 * ui.spacing().button_padding.x + SPEED_WIDTH, 3.0);
+        let room = ui.available_width() - fields - gaps * ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = room.max(60.0);
+        if time_slider(ui, &mut hour) {
+            let live = ui.input(|input| input.pointer.any_down());
+            actions.push(Action::change("Time of day", Edit::TimeOfDay(hour), live));
+        }
+        let mut speed = reading.time_play.hours_a_minute();
+        if number_field(ui, TIME_SPEED.label, &TIME_SPEED, &mut speed, false) {
+            actions.push(Action::View(ViewChange::TimeSpeed(speed)));
+        }
+    });
+}
+
+/// A slider over the day.
+fn time_slider(ui: &mut Ui, hour: &mut f64) -> bool {
+    let parameter = &p::TIME_OF_DAY_H;
+    let slider = Slider::new(hour, parameter.min..=parameter.max)
+        .step_by(TIME_STEP_H)
+        // Else it would round an hour that no hand has touched, and call that a change.
+        .clamping(SliderClamping::Edits)
+        .custom_formatter(|hour, _| clock(hour))
+        .custom_parser(|text| crate::cli::time_of_day(text).ok());
+    let response = ui.add(slider);
+    name_it(ui, &response, parameter.label);
+    let changed = response.changed();
+    response.on_hover_text(parameter.doc);
+    changed && parameter.allows(*hour)
+}
+
+/// The two tables over the day.
+fn light(ui: &mut Ui, reading: &Reading<'_>, path: &SunPath, actions: &mut Vec<Action>) {
+    heading(ui, "Light over the day");
+    let sky = &reading.session.scene().sky;
+    let hour = reading.hour();
+    let directional = with_alpha(&sky.directional);
+    let ambient = Strip {
+        name: "Ambient",
+        doc: "The sky's light on the clouds; its opacity scales that of all sprites.",
+        has_alpha: true,
+        table: &sky.ambient,
+        hour,
+        path,
+    };
+    if let Some((ambient, live)) = ambient.show(ui) {
+        let sky = Sky { ambient, ..sky.clone() };
+        actions.push(Action::change("Ambient light", Edit::Sky(sky), live));
+    }
+    let directional = Strip {
+        name: "Directional",
+        doc: "The sun's light on the clouds, or the moon's.",
+        has_alpha: false,
+        table: &directional,
+        hour,
+        path,
+    };
+    if let Some((table, live)) = directional.show(ui) {
+        let sky = Sky { directional: without_alpha(&table), ..sky.clone() };
+        actions.push(Action::change("Directional light", Edit::Sky(sky), live));
+    }
+}
+
+fn with_alpha(table: &DailyTable<Rgb>) -> DailyTable<Rgba> {
+    let keys = table.keys.iter();
+    DailyTable { keys: keys.map(|key| DailyKey { hour: key.hour, value: Rgba { rgb: key.value, a: 1.0 } }).collect() }
+}
+
+fn without_alpha(table: &DailyTable<Rgba>) -> DailyTable<Rgb> {
+    let keys = table.keys.iter();
+    DailyTable { keys: keys.map(|key| DailyKey { hour: key.hour, value: key.value.rgb }).collect() }
+}
+
+fn sun(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let scene = reading.session.scene();
+    fields(ui, "Sun", actions, from_ref(&scene.sun), sun_rows, Edit::Sun);
+    if scene.sun != Sun::ByPlace {
+        return;
+    }
+    fields(
+        ui,
+        "Place",
+        actions,
+        from_ref(&scene.place),
+        |rows, place| {
+            rows.number(&p::LATITUDE_DEG, &mut place.latitude_deg);
+            rows.number(&p::LONGITUDE_DEG, &mut place.longitude_deg);
+            rows.number(&p::UTC_OFFSET_H, &mut place.utc_offset_h);
+            let mut date = place.date.to_string();
+            rows.text("Date", &mut date);
+            // What is no day is not taken over; the field shows the old one again.
+            place.date = date.parse().unwrap_or(place.date);
+        },
+        Edit::Place,
+    );
+}
+
+fn sun_rows(rows: &mut Fields<'_>, sun: &mut Sun) {
+    let mut by_hand = *sun != Sun::ByPlace;
+    rows.check("Sun by hand", "Where the sun stands, whatever place and time say.", &mut by_hand);
+    *sun = match (by_hand, *sun) {
+        (false, _) => Sun::ByPlace,
+        (true, Sun::ByPlace) => Sun::ByHand { heading_deg: 180.0, elevation_deg: p::ELEVATION_DEG.default },
+        (true, by_hand) => by_hand,
+    };
+    if let Sun::ByHand { heading_deg, elevation_deg } = sun {
+        rows.labelled("Sun heading", &p::HEADING_DEG, heading_deg);
+        rows.labelled("Sun elevation", &p::ELEVATION_DEG, elevation_deg);
+    }
+}
+
+fn air(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    fields(
+        ui,
+        "Sky",
+        actions,
+        from_ref(&reading.session.scene().sky),
+        |rows, sky| {
+            rows.number(&p::EXPOSURE_EV, &mut sky.exposure_ev);
+            rows.number(&p::TURBIDITY, &mut sky.turbidity);
+            rows.number(&p::SKY_GAIN, &mut sky.gain);
+            rows.number(&p::HAZE_LENGTH_M, &mut sky.haze_length_m);
+        },
+        Edit::Sky,
+    );
+}
