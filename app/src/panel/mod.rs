@@ -88,17 +88,6 @@ impl Reading<'_> {
 }
 
 impl Panel {
-    /// All but the viewport.
-    pub(crate) const AROUND: [Self; 7] = [
-        Self::Outline,
-        Self::Inspector,
-        Self::ColorLevels,
-        Self::ShadingGroups,
-        Self::Sky,
-        Self::History,
-        Self::Problems,
-    ];
-
     /// On its tab.
     pub(crate) fn name(self) -> &'static str {
         match self {

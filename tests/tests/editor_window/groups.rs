@@ -156,7 +156,7 @@ fn a_field_refuses_with_its_range() {
     let mut window = with_groups();
     select_boxes(&mut window, &["body"]);
     let start = window.file();
-    let mut type_in = |window: &mut Window, text: &str| {
+    let type_in = |window: &mut Window, text: &str| {
         window.node(Role::SpinButton, "Sprites").focus();
         window.settle();
         window.harness.event(egui::Event::Text(text.into()));
