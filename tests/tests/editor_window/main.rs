@@ -8,7 +8,6 @@ mod arranging;
 mod editing;
 mod files;
 mod groups;
-mod shots;
 mod viewing;
 
 use cloudwright::command::Command;
