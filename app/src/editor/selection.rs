@@ -79,10 +79,14 @@ impl Selection {
         self.through = through.or(self.through);
     }
 
-    /// Leaves out what the scene has no longer.
+    /// Leaves out what the scene has no longer. If all of it is gone, the cloud that it was seen in is left.
     pub(crate) fn keep_what_is_in(&mut self, scene: &Scene) {
+        let was_empty = self.items.is_empty();
         self.items.retain(|item| is_in(*item, scene));
         self.through = self.through.filter(|id| scene.cloud(*id).is_some());
+        if self.items.is_empty() && !was_empty {
+            self.items.extend(self.through.map(Item::Cloud));
+        }
     }
 
     /// The selected clouds.

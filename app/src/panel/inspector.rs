@@ -1,9 +1,10 @@
 //! The values of what is selected. Several things of the primary's kind are changed together.
 
 use super::fields::{Fields, fields};
+use super::shading_groups::members;
 use super::{Reading, camera, cloud, cloud_box, model};
 use crate::command::Command;
-use crate::editor::{Action, Item, box_of, camera_of, group_of};
+use crate::editor::{Action, Choose, Item, box_of, camera_of, group_of};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::{ModelId, ShadingGroup};
 use egui::{ScrollArea, Ui};
@@ -46,23 +47,7 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
                 cloud_box::fields_of(ui, model, &boxes, reading, actions);
             }
         }
-        Item::Group(..) => {
-            let groups: Vec<_> = reading
-                .view
-                .selection
-                .groups()
-                .filter_map(|(model, id)| Some((model, group_of(scene, model, id)?.clone())))
-                .collect();
-            title(ui, "Shading group", groups.len());
-            let name =
-                |rows: &mut Fields<'_>, (_, group): &mut (ModelId, ShadingGroup)| rows.text("Name", &mut group.name);
-            let edit = |(model, group)| Edit::Group(model, ListEdit::Replace(group));
-            fields(ui, "Rename shading group", actions, &groups, name, edit);
-            let panel = Command::GroupsPanel.row();
-            if ui.button("Shape its light").on_hover_text(panel.help).clicked() {
-                actions.push(Action::Command(panel.command));
-            }
-        }
+        Item::Group(..) => groups(ui, reading, actions),
         Item::Cloud(_) => {
             let clouds: Vec<_> = chosen()
                 .filter_map(|item| if let Item::Cloud(id) = item { scene.cloud(*id) } else { None })
@@ -80,6 +65,28 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
             camera::fields_of(ui, &cameras, actions);
         }
     }
+}
+
+fn groups(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let scene = reading.session.scene();
+    let chosen = reading.view.selection.groups();
+    let mut groups: Vec<_> = chosen.filter_map(|(of, id)| Some((of, group_of(scene, of, id)?.clone()))).collect();
+    groups.reverse();
+    title(ui, "Shading group", groups.len());
+    let name = |rows: &mut Fields<'_>, (_, group): &mut (ModelId, ShadingGroup)| rows.text("Name", &mut group.name);
+    let edit = |(of, group)| Edit::Group(of, ListEdit::Replace(group));
+    fields(ui, "Rename shading group", actions, &groups, name, edit);
+    ui.horizontal(|ui| {
+        let panel = Command::GroupsPanel.row();
+        if ui.button("Shape its light").on_hover_text(panel.help).clicked() {
+            actions.push(Action::Command(panel.command));
+        }
+        if ui.button("Select its members").on_hover_text("The boxes and sprites that were put into it.").clicked() {
+            let members = |(of, group): &(ModelId, ShadingGroup)| Some(members(scene.model(*of)?, group.id));
+            let items = groups.iter().filter_map(members).flatten().collect();
+            actions.push(Action::Select { items, through: None, how: Choose::Only });
+        }
+    });
 }
 
 fn title(ui: &mut Ui, kind: &str, count: usize) {

@@ -30,7 +30,7 @@ pub fn preset_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'stat
     })
 }
 
-/// All categories, `present` marked. The one that was chosen in this frame.
+/// All categories, `present` marked. The one that was chosen in this frame, if it is another.
 pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Option<Category>) -> Option<Category> {
     gallery(ui, |ui| {
         let mut chosen = None;
@@ -38,7 +38,7 @@ pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Optio
             let texture = thumbnails.texture(Subject::Category(category));
             let name = super::model::category_name(category);
             let response = tile(ui, texture, theme::CATEGORY_PICTURE, &name, Some(Some(category) == present));
-            if response.on_hover_text(name).clicked() {
+            if response.on_hover_text(name).clicked() && Some(category) != present {
                 chosen = Some(category);
             }
         }

@@ -7,7 +7,7 @@ use crate::theme::{self, icon};
 use cloudwright_core::problem::{self, Problem, Severity};
 use cloudwright_core::scene::Scene;
 use cloudwright_core::version::Version;
-use egui::{Align, Button, Id, Layout, RichText, ScrollArea, Ui};
+use egui::{Button, Id, RichText, ScrollArea, Ui};
 use std::sync::Arc;
 
 /// The panel.
@@ -45,7 +45,7 @@ fn line(ui: &mut Ui, problem: &Problem, scene: &Scene, actions: &mut Vec<Action>
         Severity::Note => (icon::INFO, ui.visuals().text_color()),
     };
     let item = item_at(&problem.place, scene);
-    ui.with_layout(Layout::left_to_right(Align::Min).with_main_wrap(true), |ui| {
+    ui.horizontal(|ui| {
         ui.label(RichText::new(glyph).color(color));
         if let Some((item, name)) = item {
             let go = ui.add(Button::new(RichText::new(&name).strong()).frame(false));
@@ -56,9 +56,12 @@ fn line(ui: &mut Ui, problem: &Problem, scene: &Scene, actions: &mut Vec<Action>
         } else if !problem.place.is_empty() {
             ui.label(RichText::new(&problem.place).weak().monospace());
         }
-        ui.label(RichText::new(&problem.message).color(color));
-        ui.weak(&problem.hint);
     });
+    ui.label(RichText::new(&problem.message).color(color));
+    if !problem.hint.is_empty() {
+        ui.weak(&problem.hint);
+    }
+    ui.add_space(theme::GAP);
 }
 
 /// The thing that a place such as `models[2].boxes[0].size` lies in, and its name.

@@ -5,7 +5,7 @@ use cloudwright::command::Command;
 use cloudwright::editor::Item;
 use cloudwright_core::scene::{CloudBox, CloudModel, GroupLight};
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::Queryable;
 
 /// The panel of shading groups, with the starter's cloud selected.
@@ -51,11 +51,18 @@ fn a_group_is_made_assigned_to_and_deleted() {
     window.press("Assign selection to group");
     assert_eq!(box_named(&window, "base").group, Some(group.id));
     assert_eq!(window.undo_name().as_deref(), Some("Assign to shading group"));
-    // A second click selects the members.
-    for _ in 0..2 {
-        window.node(Role::Button, "Shading of group").click();
+    // A second click selects the members; so does the inspector.
+    let row = window.node(Role::Button, "Shading of group").rect().center();
+    let events = &mut window.harness.input_mut().events;
+    events.push(Event::PointerMoved(row));
+    for pressed in [true, false, true, false] {
+        let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+        events.push(Event::PointerButton { pos: row, button, pressed, modifiers });
     }
     window.settle();
+    assert_eq!(window.harness.state().selection().boxes().count(), 3);
+    window.press("Shading of group");
+    window.press("Select its members");
     assert_eq!(window.harness.state().selection().boxes().count(), 3);
     window.press("Delete group");
     assert!(model(&window).groups.is_empty() && model(&window).boxes.iter().all(|each| each.group.is_none()));
@@ -159,7 +166,7 @@ fn a_field_refuses_with_its_range() {
     let type_in = |window: &mut Window, text: &str| {
         window.node(Role::SpinButton, "Sprites").focus();
         window.settle();
-        window.harness.event(egui::Event::Text(text.into()));
+        window.harness.event(Event::Text(text.into()));
         window.settle();
         window.keys(Modifiers::NONE, Key::Enter);
     };

@@ -4,7 +4,7 @@ use crate::command::Command;
 use crate::editor::Editor;
 use crate::panel::color_levels::with_levels;
 use cloudwright_core::arrange::group::{self, Destination};
-use cloudwright_core::arrange::{Names, auto_group};
+use cloudwright_core::arrange::{Arrangement, Names, auto_group};
 use cloudwright_core::sprites::populate;
 
 impl Editor {
@@ -26,14 +26,14 @@ impl Editor {
         self.arrange(command, arrangement);
     }
 
-    /// By the sprites of the cloud that the artist looks at.
+    /// By the sprites of the cloud that the artist looks at, which stays selected.
     pub(super) fn auto_group(&mut self) {
         let scene = self.session.scene();
         let Some(model) = self.view.selection.model(scene) else { return };
         let own_seed = self.view.selection.cloud(scene).and_then(|cloud| cloud.seed);
         let populated = populate(model, own_seed.unwrap_or(model.seed));
-        let arrangement = auto_group::model(scene, model.id, &populated);
-        self.arrange(Command::AutoGroup, arrangement);
+        let edits = auto_group::model(scene, model.id, &populated).edits;
+        self.arrange(Command::AutoGroup, Arrangement { edits, made: Vec::new() });
     }
 
     pub(super) fn copy_levels(&mut self) {

@@ -46,8 +46,7 @@ impl Fields<'_> {
                     {
                         *value = None;
                     }
-                    let present = value.or(inherited);
-                    if let Some(chosen) = category_gallery(ui, &mut thumbnails.borrow_mut(), present) {
+                    if let Some(chosen) = category_gallery(ui, &mut thumbnails.borrow_mut(), *value) {
                         *value = Some(chosen);
                     }
                 });

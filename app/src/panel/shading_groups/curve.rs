@@ -87,13 +87,12 @@ impl Plot {
         let fine = Stroke::new(1.0, visuals.widgets.noninteractive.bg_stroke.color);
         let strong = Stroke::new(1.0, visuals.weak_text_color());
         let step = if self.high - self.low > 3.0 { 1.0 } else { 0.5 };
-        let mut share = (self.low / step).ceil() * step;
-        while share <= self.high {
+        let lines = (self.low / step).ceil() as i32..=(self.high / step).floor() as i32;
+        for share in lines.map(|line| f64::from(line) * step) {
             let y = self.place(0.0, share).y;
             painter.hline(self.rect.x_range(), y, if share == 0.0 { strong } else { fine });
             let text = if step < 1.0 { format!("{share:.1}") } else { format!("{share:.0}") };
             painter.text(pos2(self.rect.left() - 5.0, y), Align2::RIGHT_CENTER, text, font.clone(), weak);
-            share += step;
         }
         for (along, text, align) in [
             (0.0, "180° away", Align2::LEFT_BOTTOM),

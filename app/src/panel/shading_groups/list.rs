@@ -10,7 +10,7 @@ use crate::theme::{self, icon};
 use cloudwright_core::arrange::auto_group::MOST_SPRITES;
 use cloudwright_core::arrange::delete;
 use cloudwright_core::arrange::group::{self, Destination};
-use cloudwright_core::scene::{BoxId, CloudModel, GroupId};
+use cloudwright_core::scene::{BoxId, CloudModel, GroupId, SpriteEdit};
 use cloudwright_core::sprites::{GroupKey, PlacedCloud};
 use egui::{Align, Atom, Button, IdSalt, Label, Layout, Response, RichText, Sense, Ui, Vec2, vec2};
 
@@ -56,6 +56,18 @@ pub(in crate::panel) fn group_name(name: &str, id: GroupId) -> String {
     if name.is_empty() { format!("group {id}") } else { name.into() }
 }
 
+/// Boxes in the group, and single sprites that were put there.
+pub(in crate::panel) fn members(model: &CloudModel, group: GroupId) -> Vec<Item> {
+    let mut members = Vec::new();
+    for each in &model.boxes {
+        members.extend((each.group == Some(group)).then_some(Item::Box(model.id, each.id)));
+        let is_in = |edit: &&SpriteEdit| edit.group == Some(group) && edit.index < each.sprite_count;
+        let sprites = each.sprite_edits.iter().filter(is_in);
+        members.extend(sprites.map(|edit| Item::Sprite(model.id, each.id, edit.index)));
+    }
+    members
+}
+
 impl Row<'_> {
     fn item(&self) -> Item {
         match self.lump {
@@ -75,18 +87,11 @@ impl Row<'_> {
         groups.filter(move |group| its(group.key)).map(|group| group.sprite_count)
     }
 
-    /// Boxes in the group, and single sprites that were put there.
     fn members(&self) -> Vec<Item> {
-        let Lump::Named(id) = self.lump else { return vec![self.item()] };
-        let model = self.model.id;
-        let mut members = Vec::new();
-        for each in &self.model.boxes {
-            members.extend((each.group == Some(id)).then_some(Item::Box(model, each.id)));
-            let sprites =
-                each.sprite_edits.iter().filter(|edit| edit.group == Some(id) && edit.index < each.sprite_count);
-            members.extend(sprites.map(|edit| Item::Sprite(model, each.id, edit.index)));
+        match self.lump {
+            Lump::Named(id) => members(self.model, id),
+            Lump::Own(_) => vec![self.item()],
         }
-        members
     }
 
     fn show(&self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -106,7 +111,7 @@ impl Row<'_> {
         let selected = reading.view.selection.contains(self.item());
         let swatch = IdSalt::new("swatch");
         let mark = Atom::custom(swatch, Vec2::splat(theme::SWATCH));
-        let button = Button::selectable(selected, (mark, self.name.as_str())).truncate().atom_ui(ui);
+        let button = Button::selectable(selected, (mark, self.name.as_str(), Atom::grow())).truncate().atom_ui(ui);
         if let Some(rect) = button.rect(swatch) {
             let id = match self.lump {
                 Lump::Named(id) => id.0,

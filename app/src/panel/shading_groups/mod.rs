@@ -4,7 +4,7 @@ mod curve;
 mod light;
 mod list;
 
-pub(super) use list::group_name;
+pub(super) use list::{group_name, members};
 
 use super::Reading;
 use crate::command::Command;
