@@ -176,7 +176,7 @@ mod tests {
         assert_eq!(shown.sprites.len(), populated.sprites.len());
         assert_eq!(shown.groups.len(), populated.sprites.len().div_ceil(MOST_SPRITES));
         assert_eq!(arrangement.made.len(), shown.groups.len());
-        for group in &shown.groups {
+        for group in shown.groups.iter() {
             assert!(matches!(group.key, GroupKey::Named(_)) && group.sprite_count <= MOST_SPRITES, "{group:?}");
         }
         assert!(shown.groups.iter().any(|group| group.c[2] == 2.5), "the light of its box");

@@ -99,7 +99,7 @@ mod tests {
         assert_eq!(arrangement.made, [Thing::Group(model.id, group.id)]);
         assert_eq!((group.name.as_str(), group.light), ("top", model.boxes[0].light));
         let shown = placed(&after, 0);
-        for sprite in &shown.sprites {
+        for sprite in shown.sprites.iter() {
             let in_group = shown.groups[sprite.group as usize].key == GroupKey::Named(group.id);
             let wanted = sprite.box_id == model.boxes[1].id || sprite.box_id == model.boxes[0].id && sprite.index < 2;
             assert_eq!(in_group, wanted, "{sprite:?}");

@@ -128,21 +128,24 @@ mod tests {
 
     /// One cloud's sprites, then the other's.
     fn both(a: &PlacedCloud, b: &PlacedCloud) -> PlacedCloud {
-        let mut all = a.clone();
         let shift = b.origin - a.origin;
         let count = a.groups.len() as u32;
-        all.groups.extend(b.groups.iter().map(|group| {
+        let groups = b.groups.iter().map(|group| {
             let mut group = *group;
             group.center += shift.as_vec3();
             group
-        }));
-        all.sprites.extend(b.sprites.iter().map(|sprite| {
+        });
+        let sprites = b.sprites.iter().map(|sprite| {
             let mut sprite = *sprite;
             sprite.position += shift.as_vec3();
             sprite.group += count;
             sprite
-        }));
-        all
+        });
+        PlacedCloud {
+            groups: a.groups.iter().copied().chain(groups).collect(),
+            sprites: a.sprites.iter().copied().chain(sprites).collect(),
+            ..a.clone()
+        }
     }
 
     #[test]

@@ -73,9 +73,8 @@ mod tests {
 
     /// Of the sprites, those of the box that stands at a place of its model's list.
     fn of_box(cloud: &PlacedCloud, box_id: BoxId) -> PlacedCloud {
-        let mut part = cloud.clone();
-        part.sprites.retain(|sprite| sprite.box_id == box_id);
-        part
+        let sprites = cloud.sprites.iter().copied().filter(|sprite| sprite.box_id == box_id);
+        PlacedCloud { sprites: sprites.collect(), ..cloud.clone() }
     }
 
     #[test]

@@ -31,7 +31,7 @@ impl Walk {
     fn roll(&mut self, below: usize) -> usize {
         self.rolls += 1;
         let [bits, ..] = draw(self.seed, 0, self.rolls, 0);
-        (u64::from(bits) * below as u64 >> 32) as usize
+        ((u64::from(bits) * below as u64) >> 32) as usize
     }
 
     fn pick<T: Copy>(&mut self, of: &[T]) -> Option<T> {

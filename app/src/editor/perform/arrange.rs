@@ -164,7 +164,7 @@ impl Editor {
             }
             _ => Selection::default(),
         };
-        let edits = delete::things(scene, &things).edits;
+        let edits = delete::things(scene, things).edits;
         self.edit_and_select(Command::Delete, edits, left);
     }
 }

@@ -22,7 +22,7 @@ impl Editor {
         let scene = self.session.scene();
         let Some(model) = self.view.selection.model(scene) else { return };
         let things = self.view.selection.items();
-        let arrangement = group::put(scene, model.id, &things, destination);
+        let arrangement = group::put(scene, model.id, things, destination);
         self.arrange(command, arrangement);
     }
 

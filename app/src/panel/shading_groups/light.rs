@@ -19,7 +19,7 @@ use glam::DVec3;
 #[derive(Debug, Clone, PartialEq)]
 enum Owner {
     Group(ShadingGroup),
-    Box(CloudBox),
+    Box(Box<CloudBox>),
 }
 
 /// A light with its owner.
@@ -42,7 +42,7 @@ impl Lit {
     fn edit(self) -> Edit {
         match self.owner {
             Owner::Group(group) => Edit::Group(self.model, ListEdit::Replace(group)),
-            Owner::Box(each) => Edit::Box(self.model, ListEdit::Replace(each)),
+            Owner::Box(each) => Edit::Box(self.model, ListEdit::Replace(*each)),
         }
     }
 
@@ -117,7 +117,7 @@ fn light_of(item: Item, reading: &Reading<'_>) -> Option<Lit> {
                 None
             };
             let named = single.or(each.group).and_then(|id| group_of(scene, model, id));
-            (model, named.map_or_else(|| Owner::Box(each.clone()), |group| Owner::Group(group.clone())))
+            (model, named.map_or_else(|| Owner::Box(Box::new(each.clone())), |group| Owner::Group(group.clone())))
         }
         _ => return None,
     };

@@ -154,7 +154,7 @@ impl Row<'_> {
         let name = format!("Assign selection to {}", self.name);
         if quiet(ui, icon::PAINT_BUCKET, &name, has_members(reading)).clicked() {
             let things = reading.view.selection.items();
-            let edits = group::put(scene, model, &things, &Destination::Existing(id)).edits;
+            let edits = group::put(scene, model, things, &Destination::Existing(id)).edits;
             actions.push(Action::Change { name: "Assign to shading group", edits, live: false });
         }
     }
