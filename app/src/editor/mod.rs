@@ -208,11 +208,7 @@ impl Editor {
         let state = |command| self.state_of(command);
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
-        egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
-            let hour = self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h);
-            panel::status(ui, &self.session, hour, &self.viewport, &mut actions);
-        });
-        let Self { session, view, viewport, layout, thumbnails, time_play, copied_levels, .. } = self;
+        let Self { session, view, viewport, layout, thumbnails, time_play, copied_levels, desk, .. } = self;
         let reading = Reading {
             session,
             view,
@@ -222,6 +218,9 @@ impl Editor {
             view_heading_deg: viewport.camera().heading_deg,
             levels_shown: layout.shows(Panel::ColorLevels),
         };
+        egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
+            panel::status(ui, &reading, viewport, desk.saving, &mut actions);
+        });
         egui::CentralPanel::no_frame().show(ui, |ui| {
             layout.show(ui, |panel, ui| match panel {
                 Panel::Viewport => viewport.show(ui, &reading, &mut actions),

@@ -58,7 +58,6 @@ impl Editor {
         let (scene, path) = (self.session.scene().clone(), path.to_path_buf());
         let mark = self.session.document().mark();
         self.desk.saving = true;
-        self.tell(format!("Saving {}…", path.display()));
         self.desk.clerk.ask(move || {
             let outcome = saving::save(&scene, &path, over);
             Done::Saved { path, mark, outcome }

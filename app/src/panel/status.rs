@@ -1,14 +1,21 @@
 //! The line at the bottom: which renderer draws what, and what it costs.
 
 use super::progress::progress;
-use crate::editor::{Action, Session};
+use crate::editor::Action;
+use crate::panel::Reading;
 use crate::viewport::Viewport;
 use cloudwright_core::math::clock;
 use egui::{Align, Layout, Ui};
 
-/// The status bar, with the hour that is shown.
-pub(crate) fn status(ui: &mut Ui, session: &Session, hour: f64, viewport: &Viewport, actions: &mut Vec<Action>) {
-    let clouds = session.derived().clouds();
+/// The status bar.
+pub(crate) fn status(
+    ui: &mut Ui,
+    reading: &Reading<'_>,
+    viewport: &Viewport,
+    is_saving: bool,
+    actions: &mut Vec<Action>,
+) {
+    let clouds = reading.session.derived().clouds();
     let kept: usize = clouds.iter().map(|cloud| cloud.sprites.len()).sum();
     let tried: usize = clouds.iter().map(|cloud| cloud.candidate_count).sum();
     ui.horizontal(|ui| {
@@ -20,10 +27,16 @@ pub(crate) fn status(ui: &mut Ui, session: &Session, hour: f64, viewport: &Viewp
         ui.label(format!("{} cloud{}", clouds.len(), if clouds.len() == 1 { "" } else { "s" }));
         ui.label(format!("{kept} / {tried} sprites")).on_hover_text("Kept, and tried before culling.");
         ui.separator();
-        ui.label(clock(hour));
+        ui.label(clock(reading.hour()));
         if let Some(overdraw) = viewport.overdraw() {
-            ui.label(format!("{overdraw:.1}×")).on_hover_text("Overdraw: sprites blended on a pixel, in the mean.");
+            ui.separator();
+            ui.label(format!("overdraw {overdraw:.1}")).on_hover_text("Sprites blended on a pixel, in the mean.");
         }
-        ui.with_layout(Layout::right_to_left(Align::Center), |ui| progress(ui, session, actions));
+        ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
+            progress(ui, reading.session, actions);
+            if is_saving {
+                ui.label("Saving…");
+            }
+        });
     });
 }

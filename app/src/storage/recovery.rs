@@ -23,8 +23,8 @@ pub struct Rescue {
     version: u64,
     /// The scene's file, if it has one.
     pub path: Option<PathBuf>,
-    /// When it was kept, seconds since 1970.
-    saved_at_s: u64,
+    /// When it was kept, milliseconds since 1970, rounded up: no file that it saw was changed later.
+    saved_at_ms: u64,
     /// As a scene file says it.
     pub scene: String,
 }
@@ -51,13 +51,14 @@ impl Rescue {
     pub fn new(path: Option<&Path>, scene: String) -> Self {
         let path = path.and_then(|path| std::path::absolute(path).ok()).filter(|path| path.to_str().is_some());
         let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-        Self { format: FORMAT.into(), version: VERSION, path, saved_at_s: since_1970.as_secs(), scene }
+        let saved_at_ms = u64::try_from(since_1970.as_millis()).unwrap_or(u64::MAX).saturating_add(1);
+        Self { format: FORMAT.into(), version: VERSION, path, saved_at_ms, scene }
     }
 
-    /// When it was kept, to a second.
+    /// When it was kept, to a millisecond.
     pub fn saved_at(&self) -> SystemTime {
         let limit = Duration::from_secs(u64::from(u32::MAX));
-        SystemTime::UNIX_EPOCH + Duration::from_secs(self.saved_at_s).min(limit)
+        SystemTime::UNIX_EPOCH + Duration::from_millis(self.saved_at_ms).min(limit)
     }
 
     /// Puts it into the slot whose rescue lies at `file`.
@@ -123,7 +124,7 @@ pub fn orphans(folders: &Folders) -> Vec<Orphan> {
     let locks =
         entries.flatten().map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|e| e == "lock"));
     let mut found: Vec<Orphan> = locks.filter_map(|lock| orphan(&lock)).collect();
-    found.sort_by_key(|orphan| std::cmp::Reverse(orphan.rescue.as_ref().map_or(0, |rescue| rescue.saved_at_s)));
+    found.sort_by_key(|orphan| std::cmp::Reverse(orphan.rescue.as_ref().map_or(0, |rescue| rescue.saved_at_ms)));
     found
 }
 

@@ -120,7 +120,7 @@ fn broken_leftovers_are_told_about() {
     let folders = || Some(Folders::within(home.path()));
     let folder = home.path().join("state/recovery");
     std::fs::create_dir_all(&folder).expect("writable");
-    let head = "{\"format\":\"cloudwright-rescue\",\"version\":1,\"path\":null,\"saved_at_s\":1";
+    let head = "{\"format\":\"cloudwright-rescue\",\"version\":1,\"path\":null,\"saved_at_ms\":1";
     for (rescue, button) in
         [(format!("{head},\"scene\":\"{{}}\"}}"), "Recover New scene"), ("{".into(), "Recover Unreadable work")]
     {
