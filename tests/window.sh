@@ -69,17 +69,21 @@ before=$(boxes "$scene")
 open "$scene" 1280 800
 look placing_before.png
 at() { xdotool mousemove --window "$window" "$1" "$2"; sleep 0.3; }
+# Through the fourth camera, which looks down on the cloud.
+for _ in 1 2 3 4; do xdotool key --window "$window" c; sleep 0.3; done
 xdotool key --window "$window" b
-sleep 0.5
-# A footprint in the viewport's lower half, then its height.
-at 560 560; xdotool mousedown 1; sleep 0.3
-at 600 580; at 680 620; xdotool mouseup 1; sleep 0.3
-at 680 560; at 680 500; xdotool click 1
+sleep 1
+# A footprint before the cloud, then its height.
+at 420 600; xdotool mousedown 1; sleep 0.3
+at 500 610; at 700 620; xdotool mouseup 1; sleep 0.3
+at 700 580; at 700 540; sleep 0.5
+import -window "$window" "$out/placing.png"
+xdotool click 1
 sleep 1.5
 import -window "$window" "$out/placing_after.png"
 xdotool key --window "$window" ctrl+s
 for _ in $(seq 40); do sleep 0.25; [ "$(boxes "$scene")" != "$before" ] && break; done
 after=$(boxes "$scene")
 [ "$after" != "$before" ] || { echo "no box in the saved file ($before): see $out/placing_after.png"; exit 1; }
-"$program" check "$scene" >/dev/null || { echo "the saved scene has problems"; exit 1; }
+"$program" check "$scene" || { echo "the saved scene has problems"; exit 1; }
 echo "a box was placed and saved: $before became $after"

@@ -36,7 +36,12 @@ impl Editor {
         }
         let inner = context.input(|input| input.viewport().inner_rect);
         if let Some(size) = inner.map(|rect| rect.size()).filter(|size| size.is_finite() && size.min_elem() >= 1.0) {
-            self.desk.window_size = Some([size.x, size.y]);
+            let size = Some([size.x, size.y]);
+            if size != self.desk.window_size {
+                // The frame in which a window grows may still be presented at its old size.
+                context.request_repaint();
+            }
+            self.desk.window_size = size;
         }
     }
 

@@ -58,7 +58,7 @@ fn tint(each: &CloudBox) -> Color32 {
 fn stroke_of(cloud: &Cloud, each: &CloudBox, state: &ViewState) -> Option<Stroke> {
     let strokes = state.selection.items().iter().filter_map(|item| match *item {
         Item::Box(of, id) if of == cloud.model && id == each.id => Some(theme::SELECTED_BOX),
-        Item::Cloud(id) if id == cloud.id => Some(theme::SELECTED_BOX),
+        Item::Cloud(id) if id == cloud.id => Some(theme::SELECTED_CLOUD),
         Item::Model(of) | Item::Box(of, _) | Item::Sprite(of, ..) | Item::Group(of, _) if of == cloud.model => {
             Some(theme::RELATED_BOX)
         }
