@@ -34,11 +34,13 @@ impl Palette {
             field.request_focus();
             if field.changed() {
                 self.line = 0;
+                // The field was laid out before the keys were read.
+                context.request_repaint();
             }
             let found = matches(&self.typed);
             self.line = (self.line + usize::from(down)).saturating_sub(usize::from(up)).min(found.len().max(1) - 1);
             ui.add_space(theme::GAP);
-            ScrollArea::vertical().max_height(theme::DIALOG_LIST_HEIGHT).auto_shrink([false, true]).show(ui, |ui| {
+            ScrollArea::vertical().max_height(theme::DIALOG_LIST_HEIGHT).auto_shrink(false).show(ui, |ui| {
                 for (line, row) in found.iter().enumerate() {
                     let mut button = Button::selectable(line == self.line, (row.icon.unwrap_or(" "), row.name));
                     if let Some(shortcut) = &row.shortcut {
