@@ -56,10 +56,17 @@ close() {
 
 boxes() { "$program" info --json "$1" | grep -o '"boxes": *[0-9]*' | head -1; }
 
+at() { xdotool mousemove --window "$window" "$1" "$2"; sleep 0.3; }
+
+# The great cloud, chosen.
 open assets/scenes/fair_weather.cloudscene 2560 1440
+look window_2560x1440.png
+at 1290 700; xdotool click 1; sleep 2
 look window_2560x1440.png
 close
 open assets/scenes/fair_weather.cloudscene 1280 800
+look window.png
+at 620 400; xdotool click 1; sleep 2
 look window.png
 close
 
@@ -68,7 +75,6 @@ cp assets/scenes/single_cumulus.cloudscene "$scene"
 before=$(boxes "$scene")
 open "$scene" 1280 800
 look placing_before.png
-at() { xdotool mousemove --window "$window" "$1" "$2"; sleep 0.3; }
 # Through the fourth camera, which looks down on the cloud.
 for _ in 1 2 3 4; do xdotool key --window "$window" c; sleep 0.3; done
 xdotool key --window "$window" b
