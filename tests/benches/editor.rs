@@ -3,16 +3,26 @@
 //! From a value under the hand to the new draw list, in `overcast` (200 boxes, clouds of some 400 sprites), phase by
 //! phase: medians of many steps, in milliseconds and as a multiple of the floor: choosing and sorting the sprites in
 //! view, which any new picture needs. Target: from a changed colour level or sprite size to the new draw list in 5 ms.
+//!
+//! Then whole frames of the editor while a box is dragged there by its field: layout, labels and all, without painting.
+//! Target: none over 33 ms.
 
 #![allow(clippy::print_stdout)] // A bench's answer is its table.
 
+use cloudwright::editor::{Editor, Item, NativeDialogs, Selection, Start};
+use cloudwright::renderer::RendererChoice;
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Document, Edit, ListEdit};
 use cloudwright_core::draw_list::DrawList;
+use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem;
 use cloudwright_core::scene::{Cloud, CloudBox, CloudModel, Scene};
 use cloudwright_tests::authoring;
+use egui::accesskit::Role;
+use egui::{Event, Modifiers, PointerButton};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable;
 use std::hint::black_box;
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -56,6 +66,47 @@ fn main() {
         let cells = medians.map(|ms| format!("{ms:>8.3} {:>5.2}×", ms / floor));
         println!("{name:22}{}", cells.concat());
     }
+    let (mut frames, list_ms) = (frames(&scene, steps), measure(&scene, DRAGS[2].1, steps)[4]);
+    frames.sort_unstable();
+    let ms = |at: usize| frames.get(at).map_or(0.0, |frame| frame.as_secs_f64() * 1e3);
+    let (median, longest) = (ms(frames.len() / 2), ms(frames.len().max(1) - 1));
+    println!(
+        "frames of a box's drag: median {median:.1} ms ({:.1}× the list), longest {longest:.1} ms",
+        median / list_ms
+    );
+}
+
+/// What each frame takes while the selected box's place is dragged.
+fn frames(scene: &Scene, steps: u32) -> Vec<Duration> {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("overcast.cloudscene");
+    std::fs::write(&path, scene_file::write(scene).expect("finite numbers")).expect("writable");
+    let start = Start {
+        scene: Some(path),
+        renderer: RendererChoice::Cpu,
+        device: None,
+        file_dialogs: Box::new(NativeDialogs),
+        folders: None,
+    };
+    let mut harness: Harness<'_, Editor> = Harness::builder()
+        .with_size([1280.0, 800.0])
+        .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start));
+    harness.run_steps(4);
+    let model = &scene.models[0];
+    harness.state_mut().select(Selection::of([Item::Box(model.id, model.boxes[0].id)]));
+    harness.run_steps(4);
+    let field = harness.get_by_role_and_label(Role::SpinButton, "Centre x").rect().center();
+    harness.event(Event::PointerMoved(field));
+    let (button, modifiers) = (PointerButton::Primary, Modifiers::NONE);
+    harness.event(Event::PointerButton { pos: field, button, pressed: true, modifiers });
+    harness.step();
+    let frame = |step: u32| {
+        harness.event(Event::PointerMoved(field + egui::vec2(step as f32, 0.0)));
+        let begun = Instant::now();
+        harness.step();
+        begun.elapsed()
+    };
+    (1..=steps).map(frame).collect()
 }
 
 fn measure(scene: &Scene, step: Step, steps: u32) -> [f64; PHASES.len()] {

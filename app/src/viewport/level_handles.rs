@@ -25,22 +25,22 @@ const RADIUS: f32 = 5.0;
 /// Of a cloud with more sprites, evenly chosen ones tell its width.
 const MAX_SPRITES: usize = 1000;
 
-/// Shows the scale; true while it takes the pointer.
-pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, actions: &mut Vec<Action>) -> bool {
+/// Shows the scale.
+pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let scene = reading.session.scene();
     let selection = &reading.view.selection;
     let placed = selection.cloud(scene).filter(|cloud| reading.levels_shown && reading.view.shows(cloud));
     let model = selection.model(scene);
     let Some((cloud, model)) = placed.and_then(|cloud| reading.session.placed(cloud.id)).zip(model) else {
-        return false;
+        return;
     };
-    let Some(scale) = Scale::new(cloud, view, rect) else { return false };
+    let Some(scale) = Scale::new(cloud, view, rect) else { return };
     let painter = ui.painter_at(rect);
     painter.line_segment([scale.bottom, scale.top], Stroke::new(3.0, theme::VIEWPORT_SHADE));
     painter.line_segment([scale.bottom, scale.top], Stroke::new(1.0, theme::VIEWPORT_TEXT));
 
     let mut levels = model.color_levels;
-    let (mut taken, mut live) = (false, false);
+    let mut live = false;
     let mut chosen = color_levels::chosen(ui.ctx());
     let mut beside = 0.0;
     for (index, level) in model.color_levels.iter().enumerate() {
@@ -68,7 +68,6 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
         if tag.clicked() || tag.gained_focus() || handled.wanted.is_some() {
             chosen = index;
         }
-        taken |= tag.hovered() || tag.dragged();
         let edge = if index == chosen { theme::CHOSEN } else { theme::VIEWPORT_TEXT };
         let radius = if tag.hovered() || tag.dragged() || tag.has_focus() { RADIUS + 1.5 } else { RADIUS };
         painter.circle_filled(middle, radius + 2.0, theme::VIEWPORT_SHADE);
@@ -81,7 +80,6 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
     }
     color_levels::choose(ui.ctx(), chosen);
     actions.extend(color_levels::change(reading, &levels, live));
-    taken
 }
 
 /// An upright line in the world on the screen.
