@@ -1,7 +1,7 @@
 //! The only file access.
 //!
-//! Reading has a limit, so that a wrong path can't fill the memory. Writing is [`atomic`]. What the program remembers
-//! for a user lies in his [`Folders`]: [`settings`], and what [`recovery`] needs after a crash. A [`Stamp`] tells
+//! Reading has a limit, so that a wrong path can't fill the memory. Writing is `atomic`. What the program remembers
+//! for a user lies in his [`Folders`]: `settings`, and what `recovery` needs after a crash. A [`Stamp`] tells
 //! whether a file is still the one that was read or written; a [`Watcher`] looks at one every now and then.
 
 mod atomic;
