@@ -1,10 +1,11 @@
-//! The box tool: drag a footprint on the plane at the base altitude, let go, pull the height, click.
+//! The box tool: drag a footprint at the base altitude, let go, pull the height, click.
 //!
 //! From the first point of the drag to the click it is one open gesture, so the cloud grows under the hand and is one
 //! undo step. The box goes into the selected cloud's model, or into a new cloud around it. Enter finishes, or puts a box
 //! where the view looks; Esc drops it at any stage.
 
 mod drawn;
+mod surface;
 
 use super::marquee::LEAST_DRAG;
 use super::overlay;
@@ -16,6 +17,7 @@ use crate::panel::Reading;
 use drawn::{Drawn, Made, Target};
 use egui::{Key, Modifiers, Painter, Pos2, Response, Ui, vec2};
 use glam::DVec3;
+use surface::Surface;
 
 /// What the history calls it.
 const NAME: &str = "Box tool";
@@ -29,6 +31,7 @@ pub(super) struct BoxTool {
 #[derive(Debug)]
 struct Drawing {
     drawn: Drawn,
+    surface: Surface,
     stage: Stage,
 }
 
@@ -85,7 +88,7 @@ impl BoxTool {
             None => self.begin(&hands, screen, base_m, looked_at, reading, actions),
             Some(drawing) => self.drawing = drawing.go_on(&hands, screen, reading, actions),
         }
-        self.paint(&hands, painter, screen, base_m, reading);
+        self.paint(&hands, painter, screen, looked_at, reading);
     }
 
     fn begin(
@@ -103,20 +106,21 @@ impl BoxTool {
             finish(drawn, reading, actions);
         } else if hands.pressed
             && let Some(at) = hands.at
-            && let Some(from) = plane::under(at, screen, base_m)
+            && let Some((surface, from)) = Surface::at(at, screen, base_m, looked_at)
         {
             let mut drawn = Drawn::new(Target::of(reading), from);
-            drawn.drag_to(from, hands.snap_m);
-            self.drawing = Some(Drawing { drawn, stage: Stage::Footprint(at) });
+            surface.drag(&mut drawn, from, hands.snap_m);
+            self.drawing = Some(Drawing { drawn, surface, stage: Stage::Footprint(at) });
         }
     }
 
-    fn paint(&self, hands: &Hands, painter: &Painter, screen: &Screen, base_m: f64, reading: &Reading<'_>) {
+    fn paint(&self, hands: &Hands, painter: &Painter, screen: &Screen, looked_at: DVec3, reading: &Reading<'_>) {
+        let base_m = reading.view.base_altitude_m(reading.session.scene());
         let Some(at) = hands.at.filter(|at| screen.rect.contains(*at)) else { return };
         let drawn = self.drawing.as_ref().map(|drawing| &drawing.drawn);
         let point = match drawn {
             Some(drawn) => Some(drawn.to),
-            None => plane::under(at, screen, base_m),
+            None => Surface::at(at, screen, base_m, looked_at).map(|(_, point)| point),
         };
         let Some(point) = point else {
             overlay::label(painter, at + vec2(16.0, 16.0), "The base altitude is out of sight here");
@@ -156,8 +160,8 @@ impl Drawing {
         match self.stage {
             Stage::Footprint(from) => {
                 let is_drag = at.distance(from) >= LEAST_DRAG;
-                if is_drag && let Some(to) = plane::under(at, screen, self.drawn.from.y) {
-                    self.drawn.drag_to(to, hands.snap_m);
+                if is_drag && let Some(to) = self.surface.under(at, screen) {
+                    self.surface.drag(&mut self.drawn, to, hands.snap_m);
                 }
                 if !hands.down {
                     if !is_drag || self.drawn.made.is_none() && before == self.drawn {

@@ -161,11 +161,6 @@ fn what_is_no_box_leaves_nothing() {
     window.pointer(from + vec2(1.0, 0.0), None);
     window.pointer(from + vec2(1.0, 0.0), Some(false));
     window.settle();
-    // Towards the ground the plane above is never met.
-    let ground = window.viewport().center_bottom() - vec2(0.0, 60.0);
-    window.pointer(ground, None);
-    window.settle();
-    window.drag(ground, vec2(60.0, 20.0));
     assert_eq!((window.scene(), window.undo_name()), (&start, None));
     // Another tool ends it as it is.
     window.drag(from, by);
@@ -174,6 +169,22 @@ fn what_is_no_box_leaves_nothing() {
     assert_eq!(window.undo_name().as_deref(), Some("Box tool"));
     window.press("Undo");
     assert_eq!(window.scene(), &start);
+}
+
+#[test]
+fn a_box_can_be_drawn_where_its_base_is_out_of_sight() {
+    let mut window = opened();
+    window.press("Box tool");
+    // Towards the ground, the plane above the eye is never met: the hand says how wide the box is where the view looks.
+    let ground = window.viewport().center_bottom() - vec2(60.0, 60.0);
+    window.drag(ground, vec2(120.0, 0.0));
+    window.click(ground + vec2(120.0, -40.0), Modifiers::NONE);
+    let (drawn, cloud) = (window.primary_box(), &window.scene().clouds[1]);
+    assert!((cloud.position.y - 1000.0).abs() < 1e-6, "it stands at the base altitude");
+    assert!(drawn.size.x > 300.0 && (drawn.size.z / drawn.size.x - 0.6).abs() < 0.01, "{:?}", drawn.size);
+    let ends = [-0.5, 0.5].map(|side| window.on_screen(cloud.position + DVec3::X * (side * drawn.size.x)).x);
+    // The base lies some hundred metres above the hand, and so, with the view pitched by 6°, a few per cent farther away.
+    assert!((ends[0] - ground.x).abs() < 6.0 && (ends[1] - ground.x - 120.0).abs() < 6.0, "{ends:?}");
 }
 
 #[test]

@@ -1,0 +1,101 @@
+//! What a footprint is drawn on: the level plane at the base altitude, where the pointer finds it at a fair distance; else
+//! an upright one through the point that the view looks at, on which the hand says how wide the box is.
+//!
+//! So a box can be drawn anywhere in the picture, also by a pilot who flies at the clouds' own height and sees their base
+//! as a line. An upright footprint is as deep as a share of its width, and lies at the base altitude all the same.
+
+use super::drawn::Drawn;
+use crate::viewport::plane;
+use crate::viewport::screen::Screen;
+use egui::Pos2;
+use glam::DVec3;
+
+/// Nothing is drawn on the level plane at so many times the distance that is looked at: near the horizon, a hand's width
+/// would be a country.
+const FAR: f64 = 8.0;
+/// Nor nearer than this by its distance alone, metres.
+const FAIR_M: f64 = 20_000.0;
+/// Of an upright footprint's width.
+const DEPTH_SHARE: f64 = 0.6;
+
+/// Where the hand draws.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Surface {
+    /// On the plane at this altitude, metres.
+    Level(f64),
+    /// Across the view.
+    Upright {
+        /// The altitude of what is drawn, metres.
+        base_m: f64,
+        /// A point of it.
+        through: DVec3,
+        /// Away from the eye, level, unit.
+        away: DVec3,
+        /// Where the drag began.
+        from: DVec3,
+    },
+}
+
+impl Surface {
+    /// For a drag that begins at `at`, with where it begins; none if both are out of sight.
+    pub(super) fn at(at: Pos2, screen: &Screen, base_m: f64, looked_at: DVec3) -> Option<(Self, DVec3)> {
+        let eye = screen.view.eye;
+        let farthest_m = FAIR_M.max(FAR * eye.distance(looked_at));
+        if let Some(point) = plane::under(at, screen, base_m).filter(|point| point.distance(eye) < farthest_m) {
+            return Some((Self::Level(base_m), point));
+        }
+        let forward = screen.view.forward.as_dvec3();
+        let away = DVec3 { y: 0.0, ..forward }.try_normalize()?;
+        let upright = Self::Upright { base_m, through: looked_at, away, from: DVec3::ZERO };
+        let from = upright.under(at, screen)?;
+        Some((Self::Upright { base_m, through: looked_at, away, from }, from))
+    }
+
+    /// The place of the footprint under the pointer.
+    pub(super) fn under(&self, at: Pos2, screen: &Screen) -> Option<DVec3> {
+        match *self {
+            Self::Level(base_m) => plane::under(at, screen, base_m),
+            Self::Upright { base_m, through, away, .. } => {
+                let ray = screen.ray(at).as_dvec3();
+                let depth = (through - screen.view.eye).dot(away) / ray.dot(away);
+                let place = screen.view.eye + ray * depth;
+                (depth > 0.0 && place.is_finite()).then_some(DVec3 { y: base_m, ..place })
+            }
+        }
+    }
+
+    /// Brings the footprint to where the hand is.
+    pub(super) fn drag(&self, drawn: &mut Drawn, to: DVec3, snap_m: Option<f64>) {
+        match *self {
+            Self::Level(_) => drawn.drag_to(to, snap_m),
+            Self::Upright { away, from, .. } => {
+                let half = away * (from.distance(to) * DEPTH_SHARE * 0.5);
+                drawn.from = from - half;
+                drawn.drag_to(to + half, snap_m);
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cloudwright_core::scene::Camera;
+    use egui::{Rect, pos2};
+
+    #[test]
+    fn level_where_it_is_seen_well_and_upright_elsewhere() {
+        let eye = DVec3::new(5e5, 700.0, -3e5);
+        let screen = Screen::new(&Camera::free(eye), Rect::from_min_max(pos2(0.0, 0.0), pos2(200.0, 200.0)));
+        let looked_at = eye - DVec3::Z * 3000.0;
+        let begun = |y: f32, base_m: f64| Surface::at(pos2(100.0, y), &screen, base_m, looked_at);
+        assert_eq!(begun(40.0, 1000.0).map(|(surface, _)| surface), Some(Surface::Level(1000.0)), "above");
+        for (y, base_m) in [(180.0, 1000.0), (99.9, 1000.0), (100.0, 700.0)] {
+            let (surface, from) = begun(y, base_m).expect("it can be drawn everywhere");
+            assert!(matches!(surface, Surface::Upright { .. }), "{y}");
+            assert!((from - DVec3 { y: base_m, ..looked_at }).length() < 1e-3, "{from}");
+            let to = surface.under(pos2(150.0, y), &screen).expect("beside it");
+            assert!(to.x > from.x + 100.0 && (to.z - from.z).abs() < 1e-3, "{to}");
+        }
+    }
+}
