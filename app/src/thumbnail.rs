@@ -128,15 +128,7 @@ fn sample_of(category: Category) -> Scene {
     }
     model.boxes.push(sample);
     let at = DVec3::new(0.0, 1000.0, 0.0);
-    scene.clouds.push(Cloud {
-        id: CloudId::new(&mut scene.next_id),
-        name: model.name.clone(),
-        model: model.id,
-        position: at,
-        heading_deg: 0.0,
-        scale: 1.0,
-        seed: None,
-    });
+    scene.clouds.push(Cloud::new(CloudId::new(&mut scene.next_id), &model, at));
     scene.models.push(model);
     for camera in &mut scene.cameras {
         // From below, before the blue of the sky.

@@ -92,6 +92,11 @@ impl Derived {
         &self.clouds
     }
 
+    /// The sprites of a model under a seed, as strewn for its clouds; none if no cloud shows it so.
+    pub fn populated(&self, model: ModelId, seed: u64) -> Option<&PopulatedModel> {
+        self.populated.get(&(model, seed)).map(|populated| &*populated.sprites)
+    }
+
     /// Tells this state of the clouds from every other.
     pub fn version(&self) -> Version {
         self.version

@@ -30,7 +30,6 @@ pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
 pub(crate) use selection::{box_of, camera_of, group_of};
 pub use session::{Pending, Session};
-pub(crate) use starter::placement;
 pub(crate) use starter::scene as starter_scene;
 pub(crate) use time_play::TimePlay;
 pub use view::{Snap, SpriteMarks, Tool, ViewState};

@@ -29,6 +29,10 @@ impl Editor {
 
     pub(super) fn show_place_many(&mut self, context: &egui::Context) {
         let Some(mut asked) = self.place_many.take() else { return };
+        // Whatever ended the gesture meanwhile (a save, an undo) has answered.
+        if asked.shown.is_some() && !self.session.document().is_open() {
+            return;
+        }
         let Some(model) = self.session.scene().model(asked.model) else { return };
         let answer = panel::ask_place_many(context, &model.name, &mut asked.places);
         match answer {

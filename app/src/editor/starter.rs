@@ -12,7 +12,7 @@ pub(crate) fn scene() -> Scene {
     let mut scene = Scene::default();
     let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "cumulus", Category::CumulusHumilis);
     model.boxes = cumulus(&mut scene.next_id);
-    let cloud = placement(CloudId::new(&mut scene.next_id), &model, DVec3::new(0.0, 1000.0, 0.0));
+    let cloud = Cloud::new(CloudId::new(&mut scene.next_id), &model, DVec3::new(0.0, 1000.0, 0.0));
     scene.models.push(model);
     scene.clouds.push(cloud);
     if let Some(camera) = scene.cameras.first_mut() {
@@ -49,7 +49,7 @@ pub(crate) fn add_cloud(scene: &Scene, at: DVec3) -> (Vec<Edit>, CloudId) {
     let name = Names::new(scene.models.iter().map(|model| model.name.as_str())).free("cloud");
     let mut model = CloudModel::new(ModelId::new(&mut counter), &name, Category::CumulusHumilis);
     model.boxes.push(CloudBox::new(BoxId::new(&mut counter), DVec3::ZERO));
-    let cloud = placement(CloudId::new(&mut counter), &model, at);
+    let cloud = Cloud::new(CloudId::new(&mut counter), &model, at);
     let id = cloud.id;
     let edits = vec![
         Edit::NextId(counter),
@@ -57,9 +57,4 @@ pub(crate) fn add_cloud(scene: &Scene, at: DVec3) -> (Vec<Edit>, CloudId) {
         Edit::Cloud(ListEdit::Insert { at: usize::MAX, value: cloud }),
     ];
     (edits, id)
-}
-
-/// Another cloud of a model.
-pub(crate) fn placement(id: CloudId, model: &CloudModel, position: DVec3) -> Cloud {
-    Cloud { id, name: model.name.clone(), model: model.id, position, heading_deg: 0.0, scale: 1.0, seed: None }
 }

@@ -62,7 +62,7 @@ pub(crate) const PICTURE_NAME_GAP: f32 = 4.0;
 pub(crate) const SELECTED_BOX: Stroke = Stroke { width: 1.5, color: Color32::from_rgb(255, 176, 64) };
 /// A box of a selected cloud: there may be a hundred, and the cloud must be seen through them.
 pub(crate) const SELECTED_CLOUD: Stroke =
-    Stroke { width: 1.01, color: Color32::from_rgba_premultiplied(96, 64, 22, 96) };
+    Stroke { width: 1.2, color: Color32::from_rgba_premultiplied(96, 64, 22, 96) };
 /// A box beside the selected one.
 pub(crate) const RELATED_BOX: Stroke = Stroke { width: 1.0, color: Color32::from_rgba_premultiplied(92, 78, 54, 92) };
 /// Any other box.

@@ -17,15 +17,7 @@ impl Preset {
         let original = found.unwrap_or_else(|| CloudModel::new(ModelId(0), self.label, Category::CumulusHumilis));
         let name = Names::new(scene.models.iter().map(|model| model.name.as_str())).free(&original.name);
         let model = copy_model(&original, name, &mut ids);
-        let cloud = Cloud {
-            id: CloudId::new(&mut ids),
-            name: model.name.clone(),
-            model: model.id,
-            position: at,
-            heading_deg: 0.0,
-            scale: 1.0,
-            seed: None,
-        };
+        let cloud = Cloud::new(CloudId::new(&mut ids), &model, at);
         let id = cloud.id;
         let edits = vec![
             Edit::NextId(ids),

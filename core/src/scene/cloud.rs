@@ -1,6 +1,6 @@
 //! A cloud: a model placed in the scene.
 
-use super::{CloudId, HasId, ModelId};
+use super::{CloudId, CloudModel, HasId, ModelId};
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -31,6 +31,13 @@ pub struct Cloud {
 
 fn one() -> f64 {
     1.0
+}
+
+impl Cloud {
+    /// A placement of `model` under its name, unturned and unscaled.
+    pub fn new(id: CloudId, model: &CloudModel, position: DVec3) -> Self {
+        Self { id, name: model.name.clone(), model: model.id, position, heading_deg: 0.0, scale: 1.0, seed: None }
+    }
 }
 
 impl HasId for Cloud {

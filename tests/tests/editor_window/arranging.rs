@@ -164,9 +164,22 @@ fn many_placements_show_while_they_are_chosen() {
     window.select(items);
     window.command(Command::PlaceMany);
     assert_ne!(window.file(), start);
+    let shown = window.file();
+    window.keys(Modifiers::COMMAND, Key::D);
+    assert_eq!((window.file(), window.session().document().is_open()), (shown, true), "keys wait for the answer");
     window.keys(Modifiers::NONE, Key::Escape);
-    assert_eq!((window.file(), window.undo_name()), (start, None));
+    assert_eq!((window.file(), window.undo_name()), (start.clone(), None));
     assert!(window.harness.query_by_role_and_label(Role::Button, "Place").is_none());
+
+    // What ends the gesture otherwise has taken what is shown; nothing is placed twice.
+    window.command(Command::PlaceMany);
+    window.command(Command::AddCamera);
+    assert!(window.harness.query_by_role_and_label(Role::Button, "Place").is_none());
+    assert_eq!((window.scene().clouds.len(), window.scene().cameras.len()), (13, 2));
+    for _ in 0..2 {
+        window.command(Command::Undo);
+    }
+    assert_eq!((window.file(), window.undo_name()), (start, None));
 }
 
 #[test]

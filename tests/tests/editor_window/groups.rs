@@ -88,6 +88,15 @@ fn automatic_groups_are_small() {
     window.command(Command::Undo);
     window.command(Command::Undo);
     assert_eq!(window.file(), start);
+    // A model that no cloud shows has no sprites.
+    let (model, cloud) = (model(&window).id, window.scene().clouds[0].id);
+    window.select([Item::Cloud(cloud)]);
+    window.command(Command::Delete);
+    window.select([Item::Model(model)]);
+    let unplaced = window.file();
+    window.command(Command::AutoGroup);
+    assert!(window.shows("place it first"));
+    assert_eq!(window.file(), unplaced);
 }
 
 #[test]

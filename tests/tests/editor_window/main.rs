@@ -6,6 +6,7 @@
 
 mod arranging;
 mod colors;
+mod drawing_boxes;
 mod editing;
 mod files;
 mod gallery;

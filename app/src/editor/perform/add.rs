@@ -24,10 +24,10 @@ impl Editor {
         let scene = self.session.scene();
         let Some(model) = self.view.selection.model(scene) else { return };
         let mut counter = scene.next_id;
-        let mut cloud = starter::placement(CloudId::new(&mut counter), model, self.viewport.looked_at());
+        let mut cloud = Cloud::new(CloudId::new(&mut counter), model, self.viewport.looked_at());
         cloud.name = Names::new(scene.clouds.iter().map(|cloud| cloud.name.as_str())).free(&cloud.name);
         let id = cloud.id;
-        let edits = vec![Edit::NextId(counter), insert_cloud(cloud)];
+        let edits = vec![Edit::NextId(counter), Edit::Cloud(ListEdit::Insert { at: usize::MAX, value: cloud })];
         self.edit_and_select(Command::PlaceModel, edits, Selection::of([Item::Cloud(id)]));
     }
 
@@ -67,8 +67,4 @@ impl Editor {
         let done = self.session.edit("Set camera from view", vec![Edit::Camera(ListEdit::Replace(camera))]);
         self.report(done);
     }
-}
-
-pub(super) fn insert_cloud(cloud: Cloud) -> Edit {
-    Edit::Cloud(ListEdit::Insert { at: usize::MAX, value: cloud })
 }

@@ -82,12 +82,7 @@ impl Editor {
         self.arrange(Command::MakeOwn, arrangement);
     }
 
-    pub(super) fn mirror(&mut self, command: Command) {
-        let axis = match command {
-            Command::MirrorY => Axis::Y,
-            Command::MirrorZ => Axis::Z,
-            _ => Axis::X,
-        };
+    pub(super) fn mirror(&mut self, command: Command, axis: Axis) {
         let scene = self.session.scene();
         let selection = &self.view.selection;
         let arrangement = match selection.primary() {

@@ -10,6 +10,7 @@ use super::file_flow::Intent;
 use super::{Action, Ask, Editor, Item, Selection, Tool};
 use crate::command::Command;
 use crate::panel::Panel;
+use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
 
 impl Editor {
@@ -145,9 +146,9 @@ impl Editor {
             Command::Duplicate => self.duplicate(),
             Command::DuplicateOwn => self.duplicate_own(),
             Command::MakeOwn => self.make_own(),
-            Command::MirrorX => self.mirror(command),
-            Command::MirrorY => self.mirror(command),
-            Command::MirrorZ => self.mirror(command),
+            Command::MirrorX => self.mirror(command, Axis::X),
+            Command::MirrorY => self.mirror(command, Axis::Y),
+            Command::MirrorZ => self.mirror(command, Axis::Z),
             Command::Join => self.join(),
             Command::Split => self.split(),
             Command::Reroll => self.reroll(),

@@ -5,7 +5,6 @@ use crate::editor::Editor;
 use crate::panel::color_levels::with_levels;
 use cloudwright_core::arrange::group::{self, Destination};
 use cloudwright_core::arrange::{Arrangement, Names, auto_group};
-use cloudwright_core::sprites::populate;
 
 impl Editor {
     pub(super) fn new_group(&mut self) {
@@ -30,9 +29,14 @@ impl Editor {
     pub(super) fn auto_group(&mut self) {
         let scene = self.session.scene();
         let Some(model) = self.view.selection.model(scene) else { return };
+        if self.session.pending().is_some() {
+            return self.tell_error("The sprites are still being strewn: group them when they are there");
+        }
         let own_seed = self.view.selection.cloud(scene).and_then(|cloud| cloud.seed);
-        let populated = populate(model, own_seed.unwrap_or(model.seed));
-        let edits = auto_group::model(scene, model.id, &populated).edits;
+        let Some(populated) = self.session.derived().populated(model.id, own_seed.unwrap_or(model.seed)) else {
+            return self.tell_error("A model that is placed nowhere has no sprites to group: place it first");
+        };
+        let edits = auto_group::model(scene, model.id, populated).edits;
         self.arrange(Command::AutoGroup, Arrangement { edits, made: Vec::new() });
     }
 

@@ -1,6 +1,5 @@
 //! A box that is being drawn: its footprint and height in the world, and the edits that bring it into the scene.
 
-use crate::editor::placement;
 use crate::panel::Reading;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::arrange::Names;
@@ -130,7 +129,7 @@ impl Drawn {
         let Target::Cloud(cloud) = &self.target else {
             let name = Names::new(scene.models.iter().map(|model| model.name.as_str())).free("cloud");
             let mut model = CloudModel::new(ModelId::new(&mut counter), &name, Category::CumulusHumilis);
-            let cloud = placement(CloudId::new(&mut counter), &model, self.middle());
+            let cloud = Cloud::new(CloudId::new(&mut counter), &model, self.middle());
             let made = Made { model: model.id, cloud: cloud.id, id: BoxId::new(&mut counter) };
             model.boxes.push(self.cloud_box(made.id));
             self.made = Some(made);
