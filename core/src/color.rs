@@ -89,6 +89,12 @@ impl Premultiplied {
     /// Nothing: what a layer of clouds starts with.
     pub const CLEAR: Self = Self { r: 0.0, g: 0.0, b: 0.0, a: 0.0 };
 
+    /// `self` at `t` = 0, `other` at `t` = 1.
+    pub fn mix(self, other: Self, t: f32) -> Self {
+        let mix = |a: f32, b: f32| a * (1.0 - t) + b * t;
+        Self { r: mix(self.r, other.r), g: mix(self.g, other.g), b: mix(self.b, other.b), a: mix(self.a, other.a) }
+    }
+
     /// `self` over an opaque background.
     pub fn over(self, background: Rgb) -> Rgb {
         Rgb::new(self.r, self.g, self.b) + background * (1.0 - self.a)

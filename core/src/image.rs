@@ -35,7 +35,27 @@ pub struct Picture {
     pub pixels: Vec<[u8; 4]>,
 }
 
+impl Layer {
+    /// Itself, with a `share` (0 to 1) of `other`, which is of the same size.
+    #[must_use]
+    pub fn mix(mut self, other: Self, share: f32) -> Self {
+        for (pixel, other) in self.pixels.iter_mut().zip(other.pixels) {
+            *pixel = pixel.mix(other, share);
+        }
+        self
+    }
+}
+
 impl LinearPicture {
+    /// Itself, with a `share` (0 to 1) of `other`, which is of the same size.
+    #[must_use]
+    pub fn mix(mut self, other: Self, share: f32) -> Self {
+        for (pixel, other) in self.pixels.iter_mut().zip(other.pixels) {
+            *pixel = pixel.mix(other, share);
+        }
+        self
+    }
+
     /// Each `side` × `side` pixels averaged into one, in linear light; a rest at the right and lower edge is left out.
     pub fn reduced(&self, side: u32) -> Self {
         let side = side.max(1);

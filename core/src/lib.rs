@@ -30,5 +30,7 @@ pub mod shading;
 pub mod sky;
 pub mod sprites;
 pub mod tone;
+pub mod variants;
 pub mod version;
+pub mod view_history;
 pub mod watch;

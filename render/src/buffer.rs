@@ -7,11 +7,12 @@ use crate::{Gpu, RenderError};
 pub(crate) struct VertexBuffer {
     buffer: wgpu::Buffer,
     count: u32,
+    bytes: u64,
 }
 
 impl VertexBuffer {
     pub(crate) fn new(gpu: &Gpu) -> Self {
-        Self { buffer: Self::with_size(gpu, 1024), count: 0 }
+        Self { buffer: Self::with_size(gpu, 1024), count: 0, bytes: 0 }
     }
 
     fn with_size(gpu: &Gpu, size: u64) -> wgpu::Buffer {
@@ -44,12 +45,17 @@ impl VertexBuffer {
             self.buffer = Self::with_size(gpu, (wanted + wanted / 2).next_multiple_of(4).min(limit));
         }
         gpu.queue().write_buffer(&self.buffer, 0, bytes);
-        self.count = elements.len() as u32;
+        (self.count, self.bytes) = (elements.len() as u32, wanted);
         Ok(())
     }
 
     pub(crate) fn slice(&self) -> wgpu::BufferSlice<'_> {
         self.buffer.slice(..)
+    }
+
+    /// How large its elements are together, bytes.
+    pub(crate) fn bytes(&self) -> u64 {
+        self.bytes
     }
 
     /// How many elements it holds.

@@ -1,17 +1,22 @@
 //! The scene's clouds on the GPU.
 //!
 //! On the edit clock: sprites, groups and clouds, in data textures, written when the clouds' version is another.
-//! On the camera clock: which sprites to draw in what order, and where each cloud lies from the eye; that difference is
-//! taken in f64 here, so that a scene 1,000 km from the origin is as sharp as one at it.
+//! On the camera clock: which sprites to draw in what order, the poses of those near the eye, and of each cloud how far it
+//! has formed and where it lies from the eye; that difference is taken in f64 here, so that a scene 1,000 km from the
+//! origin is as sharp as one at it.
 //! The structs are texels of four words; sprites.wgsl reads them.
 
 use crate::buffer::VertexBuffer;
 use crate::texture::DataTexture;
 use crate::{Gpu, RenderError};
-use cloudwright_core::draw_list::eye_offset;
+use cloudwright_core::draw_list::{DrawList, eye_offset};
+use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::sprites::{Group, PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
+
+/// What the vertex shader is given of a sprite: cloud index, sprite address, and pose, if it has one of its own.
+pub(crate) type Instance = [u32; 3];
 
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
@@ -36,6 +41,9 @@ pub(crate) struct GroupTexels {
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(crate) struct CloudTexels {
+    center: [f32; 3],
+    /// 0 for a cloud without extent.
+    inverse_radius: f32,
     bottom: f32,
     top: f32,
     level_height_4: f32,
@@ -44,15 +52,38 @@ pub(crate) struct CloudTexels {
     level_colors: [[f32; 4]; 5],
 }
 
+/// A cloud in one frame.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(crate) struct MomentTexels {
+    from_eye: [f32; 3],
+    formed_core: f32,
+    formed_falloff: f32,
+    unused: [f32; 3],
+}
+
+/// A sprite near the eye, in one frame.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
+pub(crate) struct PoseTexels {
+    towards: [f32; 3],
+    fade: f32,
+    up: [f32; 3],
+    unused: f32,
+}
+
 /// All that the sprites pass reads but the atlas.
 #[derive(Debug)]
 pub(crate) struct CloudData {
     pub(crate) sprites: DataTexture,
     pub(crate) groups: DataTexture,
     pub(crate) clouds: DataTexture,
-    pub(crate) offsets: DataTexture,
-    /// Cloud index and sprite address of each sprite to draw, back to front.
+    pub(crate) moments: DataTexture,
+    pub(crate) poses: DataTexture,
+    /// Cloud index, sprite address and pose of each sprite to draw, back to front.
     pub(crate) order: VertexBuffer,
+    /// The same in the order that fades out.
+    pub(crate) older_order: VertexBuffer,
     /// Each cloud's first sprite and how many it has.
     sprites_of_cloud: Vec<(u32, u32)>,
     uploaded: Option<Version>,
@@ -66,8 +97,10 @@ impl CloudData {
             sprites: DataTexture::new(gpu, "sprites"),
             groups: DataTexture::new(gpu, "shading groups"),
             clouds: DataTexture::new(gpu, "clouds"),
-            offsets: DataTexture::new(gpu, "clouds from the eye"),
+            moments: DataTexture::new(gpu, "clouds in this frame"),
+            poses: DataTexture::new(gpu, "poses"),
             order: VertexBuffer::new(gpu),
+            older_order: VertexBuffer::new(gpu),
             sprites_of_cloud: Vec::new(),
             uploaded: None,
             bytes_uploaded: 0,
@@ -86,11 +119,18 @@ impl CloudData {
             renewed |= self.write_clouds(gpu, frame.clouds)?;
             self.uploaded = Some(frame.clouds_version);
         }
-        let offsets: Vec<[f32; 4]> =
-            frame.clouds.iter().map(|cloud| eye_offset(cloud, &frame.view).extend(0.0).to_array()).collect();
-        renewed |= self.offsets.write(gpu, &offsets)?;
-        self.bytes_uploaded += size_of_val(offsets.as_slice()) as u64;
-        self.write_order(gpu, frame)?;
+        let moments: Vec<MomentTexels> =
+            frame.clouds.iter().zip(0..).map(|(cloud, index)| moment_texels(frame, cloud, index)).collect();
+        let poses: Vec<PoseTexels> = frame.list.poses.iter().map(pose_texels).collect();
+        renewed |= self.moments.write(gpu, &moments)? | self.poses.write(gpu, &poses)?;
+        self.bytes_uploaded += (size_of_val(moments.as_slice()) + size_of_val(poses.as_slice())) as u64;
+        // Both orders show the same poses.
+        self.order.write(gpu, &self.in_order(&frame.list))?;
+        if let Some((older, _)) = &frame.fading {
+            self.older_order.write(gpu, &self.in_order(older))?;
+            self.bytes_uploaded += self.older_order.bytes();
+        }
+        self.bytes_uploaded += self.order.bytes();
         Ok(renewed)
     }
 
@@ -109,15 +149,13 @@ impl CloudData {
         Ok(self.sprites.write(gpu, &sprites)? | self.groups.write(gpu, &groups)? | self.clouds.write(gpu, &clouds)?)
     }
 
-    fn write_order(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<(), RenderError> {
-        let in_order = frame.list.sprites.iter().filter_map(|drawn| {
+    fn in_order(&self, list: &DrawList) -> Vec<Instance> {
+        let instances = list.sprites.iter().filter_map(|drawn| {
             // A list of other clouds than the frame's would be a fault of the caller's; it draws what there is.
             let (first, count) = *self.sprites_of_cloud.get(drawn.cloud as usize)?;
-            (drawn.sprite < count).then_some([drawn.cloud, first + drawn.sprite])
+            (drawn.sprite < count).then_some([drawn.cloud, first + drawn.sprite, drawn.pose])
         });
-        let in_order: Vec<[u32; 2]> = in_order.collect();
-        self.bytes_uploaded += size_of_val(in_order.as_slice()) as u64;
-        self.order.write(gpu, &in_order)
+        instances.collect()
     }
 }
 
@@ -141,6 +179,8 @@ fn cloud_texels(cloud: &PlacedCloud) -> CloudTexels {
     let heights = cloud.color_levels.map(|level| level.height as f32);
     let [h0, h1, h2, h3, level_height_4] = heights;
     CloudTexels {
+        center: cloud.center.to_array(),
+        inverse_radius: if cloud.radius > 0.0 { 1.0 / cloud.radius } else { 0.0 },
         bottom: cloud.bottom,
         top: cloud.top,
         level_height_4,
@@ -148,4 +188,18 @@ fn cloud_texels(cloud: &PlacedCloud) -> CloudTexels {
         level_heights_0_to_3: [h0, h1, h2, h3],
         level_colors: cloud.color_levels.map(|level| level.color.to_array()),
     }
+}
+
+fn moment_texels(frame: &Frame<'_>, cloud: &PlacedCloud, index: u32) -> MomentTexels {
+    let formed = frame.formed(index);
+    MomentTexels {
+        from_eye: eye_offset(cloud, &frame.view).to_array(),
+        formed_core: formed.core,
+        formed_falloff: formed.falloff,
+        unused: [0.0; 3],
+    }
+}
+
+fn pose_texels(pose: &Pose) -> PoseTexels {
+    PoseTexels { towards: pose.towards.to_array(), fade: pose.fade, up: pose.up.to_array(), unused: 0.0 }
 }

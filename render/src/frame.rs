@@ -1,9 +1,11 @@
 //! THE RECIPE: the passes of a frame, top to bottom.
 //!
 //! ```text
-//! sky       covers the linear target
-//! sprites   back to front over it
-//! tone_map  linear target → display target
+//! sky        covers the linear target
+//! sprites    back to front over it
+//! crossfade  while another order fades out: sky and sprites again in that one, mixed in
+//! veil       inside a cloud: the air before everything
+//! tone_map   linear target → display target
 //! ```
 //! A new pass is a folder in pass/ and a line here.
 
@@ -11,9 +13,11 @@ use crate::atlas_texture::AtlasTexture;
 use crate::cloud_data::CloudData;
 use crate::frame_uniform::FrameUniform;
 use crate::pass::FrameBinding;
+use crate::pass::crossfade::CrossfadePass;
 use crate::pass::sky::SkyPass;
 use crate::pass::sprites::SpritesPass;
 use crate::pass::tone_map::ToneMapPass;
+use crate::pass::veil::VeilPass;
 use crate::texture::{DISPLAY_FORMAT, LINEAR_FORMAT, Target};
 use crate::{Gpu, RenderError};
 use cloudwright_core::frame::Frame;
@@ -24,10 +28,15 @@ pub(crate) struct Passes {
     frame: FrameBinding,
     sky: SkyPass,
     sprites: SpritesPass,
+    crossfade: CrossfadePass,
+    veil: VeilPass,
     tone_map: ToneMapPass,
     clouds: CloudData,
     atlas: AtlasTexture,
     sprites_binding: wgpu::BindGroup,
+    /// Of this frame: the share of the older order, if one fades out, and whether there is a veil.
+    fading: Option<f32>,
+    veiled: bool,
 }
 
 /// What a frame is drawn into.
@@ -37,6 +46,8 @@ pub(crate) struct Targets {
     pub(crate) linear: Target,
     pub(crate) display: Target,
     tone_map_binding: wgpu::BindGroup,
+    /// The picture in the order that fades out, once there has been one, and the binding that reads it.
+    older: Option<(Target, wgpu::BindGroup)>,
 }
 
 impl Passes {
@@ -46,12 +57,16 @@ impl Passes {
         let (clouds, atlas) = (CloudData::new(gpu), AtlasTexture::new(gpu));
         Self {
             sky: SkyPass::new(gpu, &frame),
+            crossfade: CrossfadePass::new(gpu, &frame),
+            veil: VeilPass::new(gpu, &frame),
             tone_map: ToneMapPass::new(gpu, &frame),
             sprites_binding: sprites.bind(gpu, &clouds, &atlas),
             frame,
             sprites,
             clouds,
             atlas,
+            fading: None,
+            veiled: false,
         }
     }
 
@@ -62,6 +77,8 @@ impl Passes {
         if self.clouds.update(gpu, frame)? {
             self.sprites_binding = self.sprites.bind(gpu, &self.clouds, &self.atlas);
         }
+        self.fading = frame.fading.as_ref().map(|(_, share)| *share);
+        self.veiled = frame.veil.a > 0.0;
         Ok(())
     }
 
@@ -73,14 +90,50 @@ impl Passes {
     pub(crate) fn targets(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Targets, RenderError> {
         let linear = Target::new(gpu, "linear", LINEAR_FORMAT, size)?;
         let display = Target::new(gpu, "display", DISPLAY_FORMAT, size)?;
-        Ok(Targets { size, tone_map_binding: self.tone_map.bind(gpu, &linear), linear, display })
+        Ok(Targets { size, tone_map_binding: self.tone_map.bind(gpu, &linear), linear, display, older: None })
+    }
+
+    /// Sees to it that `targets` has all that the updated frame is drawn into.
+    pub(crate) fn complete(&self, gpu: &Gpu, targets: &mut Targets) -> Result<(), RenderError> {
+        if self.fading.is_some() && targets.older.is_none() {
+            let older = Target::new(gpu, "older order", LINEAR_FORMAT, targets.size)?;
+            let binding = self.crossfade.bind(gpu, &older);
+            targets.older = Some((older, binding));
+        }
+        Ok(())
     }
 
     /// A whole frame.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.sky.record(encoder, &self.frame, &targets.linear.view);
-        self.record_sprites(encoder, targets, wgpu::LoadOp::Load, None);
+        if let Some((older, _)) = self.older(targets) {
+            self.sky.record(encoder, &self.frame, older);
+        }
+        self.record_clouds(encoder, targets, wgpu::LoadOp::Load);
         self.tone_map.record(encoder, &self.frame, &targets.tone_map_binding, &targets.display.view);
+    }
+
+    /// Sprites and what comes over them.
+    pub(crate) fn record_clouds(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        targets: &Targets,
+        load: wgpu::LoadOp<wgpu::Color>,
+    ) {
+        self.record_sprites(encoder, targets, load, None);
+        if let (Some((older, binding)), Some(share)) = (self.older(targets), self.fading) {
+            let order = (&self.clouds.older_order, &self.sprites_binding);
+            self.sprites.record(encoder, &self.frame, order, (older, load), None);
+            self.crossfade.record(encoder, &self.frame, binding, share, &targets.linear.view);
+        }
+        if self.veiled {
+            self.veil.record(encoder, &self.frame, &targets.linear.view);
+        }
+    }
+
+    /// Where the order that fades out is drawn, if one does.
+    fn older<'t>(&self, targets: &'t Targets) -> Option<(&'t wgpu::TextureView, &'t wgpu::BindGroup)> {
+        self.fading.and(targets.older.as_ref()).map(|(target, binding)| (&target.view, binding))
     }
 
     /// The sprites alone.
@@ -91,7 +144,7 @@ impl Passes {
         load: wgpu::LoadOp<wgpu::Color>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        let clouds = (&self.clouds, &self.sprites_binding);
-        self.sprites.record(encoder, &self.frame, clouds, (&targets.linear.view, load), timestamps);
+        let order = (&self.clouds.order, &self.sprites_binding);
+        self.sprites.record(encoder, &self.frame, order, (&targets.linear.view, load), timestamps);
     }
 }

@@ -49,6 +49,7 @@ uniform! {
         ground_eye_in_pattern_m: [f32; 2],
         pole_sines: [f32; 2],
         ground_cells_m: [f32; 4],
+        veil: [f32; 4],
     }
 }
 
@@ -85,8 +86,9 @@ impl FrameUniform {
             ground_bright: radiance(ground.map(|g| g.bright)),
             sun_disc_cosine_to: SUN_DISC_COSINES[1],
             ground_eye_in_pattern_m: ground.map_or([0.0; 2], |g| g.eye_in_pattern),
-            pole_sines: facing::POLE,
+            pole_sines: facing::upright::POLE,
             ground_cells_m: GROUND_CELLS_M,
+            veil: [frame.veil.r, frame.veil.g, frame.veil.b, frame.veil.a],
         }
     }
 }

@@ -64,13 +64,13 @@ impl Renderer {
         Ok(LinearPicture { width, height, pixels })
     }
 
-    /// The frame's sprites alone over nothing, in memory. Waits for the GPU.
+    /// The frame's clouds alone over nothing, in memory. Waits for the GPU.
     ///
     /// # Errors
     /// As [`Renderer::picture`].
     pub fn clouds(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<Layer, RenderError> {
         let (passes, targets) = self.update(gpu, frame)?;
-        submit(gpu, |encoder| passes.record_sprites(encoder, targets, CLEAR, None))?;
+        submit(gpu, |encoder| passes.record_clouds(encoder, targets, CLEAR))?;
         let [width, height] = targets.size;
         let bytes = read_texture(gpu, &targets.linear.texture, 8)?;
         let pixels = texels_from_f16(&bytes).map(|[r, g, b, a]| Premultiplied { r, g, b, a }).collect();
@@ -127,6 +127,7 @@ impl Renderer {
         };
         let targets = self.targets.insert(targets);
         self.passes.update(gpu, frame)?;
+        self.passes.complete(gpu, targets)?;
         gpu.check()?;
         Ok((&self.passes, targets))
     }

@@ -4,9 +4,10 @@
 //! A backend that is not there shows as ignored, or as failed with CLOUDWRIGHT_REQUIRE_GPU=1.
 
 use cloudwright_core::color::Rgb;
-use cloudwright_core::draw_list::{DrawList, Hidden};
+use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::plain;
+use cloudwright_core::shading::Veil;
 use cloudwright_render::{AdapterChoice, Gpu, RenderError, Renderer};
 use cloudwright_tests::gpu::{Allowance, Backend, Case, cases, required};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -156,11 +157,13 @@ fn timed(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     ensure(!time.duration.is_zero() && time.duration.as_secs() < 60, &format!("{time:?}"))
 }
 
-/// A camera that moves uploads eight bytes a sprite in view and sixteen a cloud; an edit uploads the clouds.
+/// A camera that moves uploads twelve bytes a sprite in view, 32 a cloud and 32 a sprite near the eye; an edit uploads the
+/// clouds.
 fn uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
-        let each_frame = (8 * frame.list.sprites.len() + 16 * frame.clouds.len()) as u64;
+        let list = &frame.list;
+        let each_frame = (12 * list.sprites.len() + 32 * (frame.clouds.len() + list.poses.len())) as u64;
         renderer.draw(gpu, frame)?;
         ensure(renderer.bytes_uploaded() > each_frame, "a scene not seen before was not uploaded")?;
         renderer.draw(gpu, frame)?;
@@ -174,10 +177,9 @@ fn hidden(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
         renderer.draw(gpu, frame)?;
-        let hidden = Hidden { clouds: frame.clouds.iter().map(|cloud| cloud.id).collect(), ..Hidden::default() };
-        let empty = Frame { list: DrawList::hiding(frame.clouds, &frame.view, &hidden), ..frame.clone() };
+        let empty = Frame { list: DrawList::default(), veil: Veil::CLEAR, ..frame.clone() };
         let layer = renderer.clouds(gpu, &empty)?;
-        ensure(renderer.bytes_uploaded() == 16 * frame.clouds.len() as u64, "hiding uploaded something")?;
+        ensure(renderer.bytes_uploaded() == 32 * frame.clouds.len() as u64, "hiding uploaded something")?;
         ensure(layer.pixels.iter().all(|pixel| pixel.a == 0.0), "a hidden cloud was drawn")
     })
 }

@@ -8,7 +8,7 @@ use super::screen::Screen;
 use crate::editor::{Item, Selection, SpriteMarks, ViewState};
 use crate::panel::Reading;
 use crate::theme;
-use cloudwright_core::facing::{corners, face_eye};
+use cloudwright_core::facing::{Pose, corners};
 use cloudwright_core::scene::{Cloud, ModelId};
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
@@ -149,7 +149,7 @@ fn mark(mesh: &mut Mesh, screen: &Screen, center: Vec3, sprite: &Sprite, color: 
 
 /// Where a sprite's corners show, if all of them do.
 fn quad(screen: &Screen, center: Vec3, sprite: &Sprite) -> Option<[Pos2; 4]> {
-    let facing = face_eye(center, sprite.rotation, screen.view.up);
+    let facing = Pose::facing_eye(center, screen.view.up).facing(sprite.rotation);
     let [a, b, c, d] = corners(center, facing, sprite.width, sprite.height).map(|corner| screen.project(corner));
     Some([a?, b?, c?, d?])
 }

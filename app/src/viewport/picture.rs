@@ -12,10 +12,11 @@ use by_cpu::ByCpu;
 use by_gpu::ByGpu;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::Frame;
+use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::version::Version;
+use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
 use std::time::Duration;
@@ -47,7 +48,9 @@ pub(super) struct Shot {
 
 impl Shot {
     fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, atlas: &'a Atlas) -> Frame<'a> {
-        Frame::hiding(scene, derived, atlas, &self.camera, self.hour, self.size, &self.hidden)
+        let Self { camera, hour, size, hidden } = self;
+        let history = &ViewHistory::default();
+        Frame::of(scene, derived, atlas, &Sight { camera, time_h: *hour, clock_s: 0.0, size: *size, hidden, history })
     }
 }
 

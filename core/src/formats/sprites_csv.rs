@@ -3,9 +3,10 @@
 //! Units and order as in [`super::sprites_json`]. With light, the four corners' colours follow, each as four columns.
 
 use crate::camera::View;
+use crate::color::Rgba;
 use crate::draw_list::eye_offset;
-use crate::facing::{corners, face_eye};
-use crate::shading::{Light, corner_light};
+use crate::facing::{Pose, corners};
+use crate::shading::{Formed, Light, corner_light};
 use crate::sprites::PlacedCloud;
 use std::fmt::Write;
 
@@ -45,11 +46,11 @@ pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> String 
                 group.key
             );
             if let Some((view, light)) = shaded {
-                let facing = face_eye(eye_offset(cloud, view) + sprite.position, sprite.rotation, view.up);
-                for point in corners(sprite.position, facing, sprite.width, sprite.height) {
-                    for value in corner_light(point, cloud, group, light).color().to_array() {
-                        let _ = write!(out, ",{value}");
-                    }
+                let pose = Pose::still(eye_offset(cloud, view) + sprite.position, sprite.radius(), view);
+                let formed = Formed::at(cloud.formation.as_ref(), 0.0);
+                for point in corners(sprite.position, pose.facing(sprite.rotation), sprite.width, sprite.height) {
+                    let Rgba { rgb, a } = corner_light(point, cloud, group, light, &formed).color();
+                    let _ = write!(out, ",{},{},{},{}", rgb.r, rgb.g, rgb.b, a * pose.fade);
                 }
             }
             out.push('\n');

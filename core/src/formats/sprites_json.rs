@@ -6,9 +6,9 @@
 use super::pretty_json;
 use crate::camera::View;
 use crate::color::{Rgb, Rgba, shortest_f64};
-use crate::facing::{corners, face_eye};
+use crate::facing::{Pose, corners};
 use crate::scene::{BoxId, ColorLevel};
-use crate::shading::{Light, corner_light};
+use crate::shading::{Formed, Light, corner_light};
 use crate::sprites::{Group, PlacedCloud, Sprite};
 use glam::{DVec3, Vec3};
 use serde::Serialize;
@@ -131,9 +131,11 @@ fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<(&View, &Ligh
 
 fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, view: &View, light: &Light) -> [CornerOut; 4] {
     let center = crate::draw_list::eye_offset(cloud, view) + sprite.position;
-    let facing = face_eye(center, sprite.rotation, view.up);
-    corners(sprite.position, facing, sprite.width, sprite.height).map(|point| {
-        let lit = corner_light(point, cloud, group, light);
+    let pose = Pose::still(center, sprite.radius(), view);
+    let formed = Formed::at(cloud.formation.as_ref(), 0.0);
+    corners(sprite.position, pose.facing(sprite.rotation), sprite.width, sprite.height).map(|point| {
+        let mut lit = corner_light(point, cloud, group, light, &formed);
+        lit.ambient.a *= pose.fade;
         CornerOut {
             position: in_world(cloud, point),
             height: shortest_f64(lit.height),

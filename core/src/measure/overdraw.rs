@@ -7,7 +7,7 @@
 //! early and passes over clear texels, so it blends fewer.
 
 use crate::camera::{NEAR_M, View};
-use crate::facing::{corners, face_eye};
+use crate::facing::corners;
 use crate::frame::Frame;
 use glam::Vec3;
 use rayon::prelude::*;
@@ -32,7 +32,7 @@ pub fn overdraw(frame: &Frame<'_>) -> Overdraw {
         .map(|part| {
             let area = |drawn: &crate::draw_list::DrawSprite| {
                 let sprite = &frame.clouds[drawn.cloud as usize].sprites[drawn.sprite as usize];
-                let facing = face_eye(drawn.center, sprite.rotation, view.up);
+                let facing = frame.list.pose(drawn, view).facing(sprite.rotation);
                 footprint_px(view, &corners(drawn.center, facing, sprite.width, sprite.height))
             };
             part.iter().map(area).sum()

@@ -12,9 +12,19 @@ pub mod truth;
 
 pub use prepare::{Linear, ScreenSprite, prepare, trilinear};
 
+use crate::frame::Frame;
 use crate::image::{LinearPicture, Picture};
 use crate::tone::encode;
 use rayon::prelude::*;
+
+/// `draw`n in the frame's order; and while another one fades out, mixed with that.
+fn faded<T>(frame: &Frame<'_>, draw: impl Fn(&Frame<'_>) -> T, mix: impl Fn(T, T, f32) -> T) -> T {
+    let drawn = draw(frame);
+    match frame.older() {
+        Some((older, share)) => mix(drawn, draw(&older), share),
+        None => drawn,
+    }
+}
 
 /// Exposure, tone curve, sRGB and dither for a whole picture.
 pub fn develop(linear: &LinearPicture, exposure: f32) -> Picture {

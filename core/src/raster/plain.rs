@@ -1,14 +1,18 @@
 //! The plain renderer: one sprite after the other, one fragment after the other. Slow and easy to trust.
 
-use super::{develop, prepare};
+use super::{develop, faded, prepare};
 use crate::color::Premultiplied;
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture, Picture};
 
 /// The frame's clouds alone, sprites in the list's order, one sample at each pixel's centre.
 pub fn clouds(frame: &Frame<'_>) -> Layer {
+    faded(frame, in_order, Layer::mix)
+}
+
+fn in_order(frame: &Frame<'_>) -> Layer {
     let (width, height) = (frame.view.width, frame.view.height);
-    let mut pixels = vec![Premultiplied::CLEAR; width as usize * height as usize];
+    let mut pixels = vec![frame.veil; width as usize * height as usize];
     for sprite in prepare(frame).iter().rev() {
         let [left, top, right, bottom] = sprite.bounds;
         for y in top as u32..(bottom.ceil() as u32).min(height) {

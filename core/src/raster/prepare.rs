@@ -7,7 +7,7 @@
 use crate::camera::{NEAR_M, View};
 use crate::color::Premultiplied;
 use crate::draw_list::{DrawSprite, eye_offset};
-use crate::facing::{corners, face_eye};
+use crate::facing::corners;
 use crate::frame::Frame;
 use crate::shading::corner_light;
 use crate::sky::{DomeTables, haze_share};
@@ -77,16 +77,17 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite) -> Sc
     let view = &frame.view;
     let cloud = &frame.clouds[drawn.cloud as usize];
     let sprite = &cloud.sprites[drawn.sprite as usize];
-    let facing = face_eye(drawn.center, sprite.rotation, view.up);
+    let pose = frame.list.pose(drawn, view);
+    let facing = pose.facing(sprite.rotation);
     let quad = corners(drawn.center, facing, sprite.width, sprite.height);
 
     let offset = eye_offset(cloud, view);
-    let group = &cloud.groups[sprite.group as usize];
+    let (group, formed) = (&cloud.groups[sprite.group as usize], frame.formed(drawn.cloud));
     let hazed = haze_share(drawn.center.length(), frame.background.haze_length_m);
     let haze_color = dome.horizon(drawn.center);
     let lit = quad.map(|corner| {
-        let color = corner_light(corner - offset, cloud, group, &frame.light).color();
-        (color.rgb * (1.0 - hazed), color.a)
+        let color = corner_light(corner - offset, cloud, group, &frame.light, formed).color();
+        (color.rgb * (1.0 - hazed), color.a * pose.fade)
     });
 
     let anchor = view.project(drawn.center).map_or(Vec2::new(view.width as f32, view.height as f32) * 0.5, Vec2::floor);

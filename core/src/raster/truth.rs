@@ -73,7 +73,7 @@ impl Tile<'_> {
         }));
         // Nearest first; of equally near ones the list draws the later one over the earlier.
         fragments.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
-        let mut clouds = Premultiplied::CLEAR;
+        let mut clouds = self.frame.veil;
         for (_, _, fragment) in fragments.iter() {
             put_behind(&mut clouds, *fragment);
         }

@@ -3,9 +3,13 @@
 //! Ambient light comes through the five colour levels by height, directional light through the shading group by the
 //! angle to the sun. The twin in WGSL is render/src/pass/sprites/sprites.wgsl.
 
+mod formation;
 mod light;
+mod veil;
 
+pub use formation::Formed;
 pub use light::{Light, sun_direction};
+pub use veil::{Veil, veil};
 
 use crate::color::{Rgb, Rgba};
 use crate::math::unit_or;
@@ -18,7 +22,7 @@ use glam::Vec3;
 pub struct CornerLight {
     /// Height within the cloud, 0 to 1.
     pub height: f32,
-    /// The sky's share, with the opacity.
+    /// The sky's share, with the opacity as far as the cloud has formed.
     pub ambient: Rgba,
     /// The sun's share.
     pub directional: Rgb,
@@ -31,13 +35,17 @@ impl CornerLight {
     }
 }
 
-/// The light at `point`, which counts from the cloud's origin, for a sprite of `group`.
-pub fn corner_light(point: Vec3, cloud: &PlacedCloud, group: &Group, light: &Light) -> CornerLight {
+/// The light at `point`, which counts from the cloud's origin, for a sprite of `group` in a cloud that is `formed` so far.
+pub fn corner_light(point: Vec3, cloud: &PlacedCloud, group: &Group, light: &Light, formed: &Formed) -> CornerLight {
     let height = cloud.height_of(point.y);
     let level = level_color(&cloud.color_levels, height);
+    let opacity = formed.opacity(cloud.radii_of(point));
     CornerLight {
         height,
-        ambient: Rgba { rgb: level.rgb * light.ambient_max.rgb, a: (level.a * light.ambient_max.a).clamp(0.0, 1.0) },
+        ambient: Rgba {
+            rgb: level.rgb * light.ambient_max.rgb,
+            a: (level.a * light.ambient_max.a).clamp(0.0, 1.0) * opacity,
+        },
         directional: light.directional_max * directional_share(point - group.center, group.c, light.sun_direction),
     }
 }

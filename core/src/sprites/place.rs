@@ -4,7 +4,10 @@
 //! one at the origin.
 
 use super::{Candidate, PopulatedModel};
-use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
+use crate::facing::{SHELL, lock_distance};
+use crate::scene::{
+    BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, Formation, GroupCenter, GroupId, GroupLight,
+};
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -36,6 +39,11 @@ impl Sprite {
     /// Half the longer side, metres (MODEL §2).
     pub fn radius(&self) -> f32 {
         self.width.max(self.height) * 0.5
+    }
+
+    /// How near to the eye it no longer simply faces it, metres.
+    pub fn lock_reach(&self) -> f32 {
+        SHELL * lock_distance(self.radius())
     }
 
     /// Half the diagonal, metres: the sphere that holds the quad however it is turned.
@@ -98,15 +106,24 @@ pub struct PlacedCloud {
     pub radius: f32,
     /// Radius of a sphere around `center` that holds every quad, metres.
     pub reach: f32,
+    /// Radius of a sphere around `center` beyond which an eye is within no sprite's shell ([`crate::facing`]), metres.
+    pub lock_reach: f32,
     /// Lowest y of the sprites' spheres, relative to `origin`, metres.
     pub bottom: f32,
     /// Highest y of the sprites' spheres, relative to `origin`, metres.
     pub top: f32,
     /// Ambient light over the height.
     pub color_levels: ColorLevels,
+    /// How it comes or goes, if it does.
+    pub formation: Option<Formation>,
 }
 
 impl PlacedCloud {
+    /// How far a point is from the centre, in radii; 0 in a cloud without extent.
+    pub fn radii_of(&self, point: Vec3) -> f32 {
+        if self.radius > 0.0 { point.distance(self.center) / self.radius } else { 0.0 }
+    }
+
     /// Height of a point within the cloud, 0 at its bottom, 1 at its top, clamped; 0 in a cloud without height.
     pub fn height_of(&self, y: f32) -> f32 {
         let extent = self.top - self.bottom;
@@ -183,11 +200,13 @@ pub(crate) fn place_watched(
         bottom: sprites.iter().map(|s| s.position.y - s.radius()).reduce(f32::min).unwrap_or(0.0),
         top: sprites.iter().map(|s| s.position.y + s.radius()).reduce(f32::max).unwrap_or(0.0),
         radius,
+        lock_reach: sprites.iter().map(|s| s.position.distance(center) + s.lock_reach()).fold(0.0, f32::max),
         reach: radius + sprites.iter().map(Sprite::reach).fold(0.0, f32::max),
         center,
         groups,
         sprites,
         color_levels: model.color_levels,
+        formation: None,
     }
 }
 

@@ -1,10 +1,13 @@
 //! The steps of a frame, one folder each; frame.rs says in which order they run.
 
+pub(crate) mod crossfade;
 pub(crate) mod sky;
 pub(crate) mod sprites;
 pub(crate) mod tone_map;
+pub(crate) mod veil;
 
 use crate::frame_uniform::FrameUniform;
+use crate::texture::Target;
 use crate::{Gpu, shader};
 
 /// Bind group 0 of every pass: the frame's uniform.
@@ -57,7 +60,7 @@ fn full_screen_pipeline(
     source: String,
     entry_point: &str,
     layouts: &[Option<&wgpu::BindGroupLayout>],
-    format: wgpu::TextureFormat,
+    target: wgpu::ColorTargetState,
 ) -> wgpu::RenderPipeline {
     let device = gpu.device();
     let module = shader::module(device, label, source);
@@ -82,10 +85,35 @@ fn full_screen_pipeline(
             module: &module,
             entry_point: Some(entry_point),
             compilation_options: Default::default(),
-            targets: &[Some(format.into())],
+            targets: &[Some(target)],
         }),
         multiview_mask: None,
         cache: None,
+    })
+}
+
+/// Of bind group 1 of a pass that reads one picture, texel by texel.
+fn picture_layout(gpu: &Gpu, label: &str) -> wgpu::BindGroupLayout {
+    gpu.device().create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some(label),
+        entries: &[wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: wgpu::ShaderStages::FRAGMENT,
+            ty: wgpu::BindingType::Texture {
+                sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                view_dimension: wgpu::TextureViewDimension::D2,
+                multisampled: false,
+            },
+            count: None,
+        }],
+    })
+}
+
+fn bind_picture(gpu: &Gpu, label: &str, layout: &wgpu::BindGroupLayout, picture: &Target) -> wgpu::BindGroup {
+    gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some(label),
+        layout,
+        entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&picture.view) }],
     })
 }
 

@@ -32,6 +32,8 @@ struct Frame {
     // Sines of the elevation between which a sprite's upright turns from the world's up to the camera's.
     pole_sines: vec2f,
     ground_cells_m: vec4f,
+    // Premultiplied, before everything.
+    veil: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

@@ -18,6 +18,16 @@ pub fn sprites() -> String {
     [FRAME, MATH, DOME, data, include_str!("../pass/sprites/sprites.wgsl")].join("\n")
 }
 
+/// The air inside a cloud.
+pub fn veil() -> String {
+    [FRAME, FULL_SCREEN, include_str!("../pass/veil/veil.wgsl")].join("\n")
+}
+
+/// The picture in the order that fades out.
+pub fn crossfade() -> String {
+    [FRAME, FULL_SCREEN, include_str!("../pass/crossfade/crossfade.wgsl")].join("\n")
+}
+
 /// Linear light to a display.
 pub fn tone_map() -> String {
     [FRAME, FULL_SCREEN, include_str!("../pass/tone_map/tone_map.wgsl")].join("\n")
@@ -25,7 +35,7 @@ pub fn tone_map() -> String {
 
 /// Every shader there is, by the name of its pass; for tests that need no GPU.
 pub fn all() -> Vec<(&'static str, String)> {
-    vec![("sky", sky()), ("sprites", sprites()), ("tone_map", tone_map())]
+    vec![("sky", sky()), ("sprites", sprites()), ("crossfade", crossfade()), ("veil", veil()), ("tone_map", tone_map())]
 }
 
 pub(crate) fn module(device: &wgpu::Device, label: &str, source: String) -> wgpu::ShaderModule {

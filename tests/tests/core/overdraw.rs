@@ -2,7 +2,7 @@
 
 use cloudwright_core::camera::NEAR_M;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::facing::{corners, face_eye};
+use cloudwright_core::facing::corners;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::overdraw;
 use cloudwright_core::raster::{ScreenSprite, prepare};
@@ -39,8 +39,12 @@ fn measured(scene: &Scene, camera: &Camera) -> [f64; 3] {
     let longest = 2.0 * f64::from(SIZE[0] + SIZE[1]);
     let bound = frame.list.sprites.iter().map(|drawn| {
         let sprite = &frame.clouds[drawn.cloud as usize].sprites[drawn.sprite as usize];
-        let quad =
-            corners(drawn.center, face_eye(drawn.center, sprite.rotation, frame.view.up), sprite.width, sprite.height);
+        let quad = corners(
+            drawn.center,
+            frame.list.pose(drawn, &frame.view).facing(sprite.rotation),
+            sprite.width,
+            sprite.height,
+        );
         let on_screen: Option<Vec<_>> = quad.into_iter().map(|corner| frame.view.project(corner)).collect();
         let perimeter = on_screen.map_or(longest, |points| {
             let sides = (0..4).map(|i| f64::from(points[i].distance(points[(i + 1) % 4])));

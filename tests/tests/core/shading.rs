@@ -3,7 +3,7 @@
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::scene::{ColorLevel, DailyTable, Sun};
-use cloudwright_core::shading::{Light, corner_light, directional_share, level_color};
+use cloudwright_core::shading::{Formed, Light, corner_light, directional_share, level_color};
 use cloudwright_core::sky::Dome;
 use cloudwright_tests::small_scenes::heap;
 use glam::Vec3;
@@ -77,7 +77,8 @@ fn every_corner_of_a_cloud_is_lit_by_both_lights() {
             let mut brightest = 0.0_f32;
             for sprite in cloud.sprites.iter() {
                 let group = &cloud.groups[sprite.group as usize];
-                let lit = corner_light(sprite.position + Vec3::splat(sprite.radius()), cloud, group, &light);
+                let lit =
+                    corner_light(sprite.position + Vec3::splat(sprite.radius()), cloud, group, &light, &Formed::WHOLE);
                 let level = level_color(&cloud.color_levels, lit.height);
                 assert!((0.0..=1.0).contains(&lit.height));
                 brightest = brightest.max(lit.directional.g);

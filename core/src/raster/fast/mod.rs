@@ -10,7 +10,7 @@ mod avx2;
 pub(super) mod bins;
 mod tile;
 
-use super::{ScreenSprite, prepare};
+use super::{ScreenSprite, develop, faded, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture, Picture};
@@ -32,6 +32,9 @@ pub fn picture(frame: &Frame<'_>) -> Picture {
 
 /// As [`picture`], with pixels done when less than `stop_below` gets through ([`NEVER_STOP`]: never).
 pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
+    if frame.fading.is_some() {
+        return develop(&linear_picture(frame), frame.exposure);
+    }
     let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [[u8; 4]]| {
         let exposed = over_background(&background, (rect, row), clouds, stop_below, frame.exposure);
@@ -43,6 +46,10 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
 
 /// The frame in linear light, before exposure.
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
+    faded(frame, linear_in_order, LinearPicture::mix)
+}
+
+fn linear_in_order(frame: &Frame<'_>) -> LinearPicture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [Rgb]| {
         let [r, g, b] = over_background(&background, (rect, row), clouds, STOP_BELOW, 1.0);
@@ -65,6 +72,11 @@ pub fn clouds_one_by_one(frame: &Frame<'_>, stop_below: f32) -> Layer {
 }
 
 fn clouds_by(brush: &Brush<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
+    let draw_one = |frame: &Frame<'_>| clouds_in_order(brush, frame, stop_below);
+    faded(frame, draw_one, Layer::mix)
+}
+
+fn clouds_in_order(brush: &Brush<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
     let finish = |_, _, [r, g, b, through]: &TileRow, out: &mut [Premultiplied]| {
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Premultiplied { r: r[x], g: g[x], b: b[x], a: 1.0 - through[x] };
@@ -108,7 +120,7 @@ fn draw<P: Copy + Send + Sync>(
 ) -> Vec<P> {
     let sprites = prepare(frame);
     let tiles = map_tiles(&sprites, frame.view.width, frame.view.height, |rect, members| {
-        let tile = draw_tile(brush, &sprites, rect, members, stop_below);
+        let tile = draw_tile(brush, &sprites, rect, (members, frame.veil), stop_below);
         let mut out = vec![empty; (rect.width * rect.height) as usize];
         for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
             finish(rect, row, &tile.row(row as usize), line);
@@ -118,8 +130,14 @@ fn draw<P: Copy + Send + Sync>(
     assemble(&tiles, frame.view.width, frame.view.height, empty)
 }
 
-fn draw_tile(brush: &Brush<'_>, sprites: &[ScreenSprite], rect: TileRect, members: &[u32], stop_below: f32) -> Tile {
-    let mut tile = Tile::clear(rect);
+fn draw_tile(
+    brush: &Brush<'_>,
+    sprites: &[ScreenSprite],
+    rect: TileRect,
+    (members, veil): (&[u32], Premultiplied),
+    stop_below: f32,
+) -> Tile {
+    let mut tile = Tile::veiled(rect, veil);
     for &member in members {
         brush.draw(&mut tile, rect, &sprites[member as usize], stop_below);
         if tile.is_done() {

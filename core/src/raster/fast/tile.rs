@@ -3,6 +3,7 @@
 use super::super::{Linear, ScreenSprite};
 use super::bins::{TILE, TileRect};
 use crate::camera::NEAR_M;
+use crate::color::Premultiplied;
 use crate::sprites::Atlas;
 
 /// Pixels that are drawn at once.
@@ -21,12 +22,13 @@ pub struct Tile {
 pub type TileRow = [[f32; TILE]; 4];
 
 impl Tile {
-    /// No colour, all gets through; nothing does outside the picture.
-    pub fn clear(rect: TileRect) -> Self {
+    /// Behind a veil, which for clear air is nothing; outside the picture nothing gets through.
+    pub fn veiled(rect: TileRect, veil: Premultiplied) -> Self {
         let [width, height] = [rect.width as usize, rect.height as usize];
-        let mut planes = [[[0.0; LANES]; TILE * TILE / LANES]; 4];
+        let Premultiplied { r, g, b, a } = veil;
+        let mut planes = [r, g, b, 0.0].map(|value| [[value; LANES]; TILE * TILE / LANES]);
         for row in planes[3].chunks_mut(TILE / LANES).take(height) {
-            row.as_flattened_mut()[..width].fill(1.0);
+            row.as_flattened_mut()[..width].fill(1.0 - a);
         }
         let groups = ((1_u32 << width.div_ceil(LANES)) - 1) as u8;
         Self { planes, open: std::array::from_fn(|row| if row < height { groups } else { 0 }) }

@@ -24,6 +24,7 @@ const SHEET_SIZE: usize = 4 * TILE_SIZE;
 pub struct Atlas {
     levels: Vec<TileLevel>,
     grey: bool,
+    mean_opacities: [f32; TILES],
     version: Version,
     footprints: OnceLock<Arc<Footprints>>,
 }
@@ -113,7 +114,11 @@ impl Atlas {
             }
         }
         let grey = levels.iter().flat_map(|level| &level.texels).all(|[r, g, b, _]| r == g && g == b);
-        Self { levels, grey, version: Version::fresh(), footprints: OnceLock::new() }
+        let mean_opacities = std::array::from_fn(|tile| {
+            let texels = &levels[tile * MIP_LEVELS + MIP_LEVELS - 1].texels;
+            texels.iter().map(|texel| f32::from(texel[3])).sum::<f32>() / (255.0 * texels.len() as f32)
+        });
+        Self { levels, grey, mean_opacities, version: Version::fresh(), footprints: OnceLock::new() }
     }
 
     /// One tile (0 to 15) at one mip level (0 to [`MIP_LEVELS`] − 1).
@@ -124,6 +129,11 @@ impl Atlas {
     /// The same texels as the fast CPU renderer reads them, made on first use.
     pub fn footprints(&self) -> &Footprints {
         self.footprints.get_or_init(|| Arc::new(Footprints::new(self)))
+    }
+
+    /// Mean alpha of a tile, 0 to 1.
+    pub fn mean_opacity(&self, tile: usize) -> f32 {
+        self.mean_opacities[tile.min(TILES - 1)]
     }
 
     /// Tells this sheet from every other.

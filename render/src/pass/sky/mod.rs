@@ -12,7 +12,16 @@ pub(crate) struct SkyPass {
 impl SkyPass {
     pub(crate) fn new(gpu: &Gpu, frame: &FrameBinding) -> Self {
         let layouts = [Some(&frame.layout)];
-        Self { pipeline: full_screen_pipeline(gpu, "sky", shader::sky(), "draw_background", &layouts, LINEAR_FORMAT) }
+        Self {
+            pipeline: full_screen_pipeline(
+                gpu,
+                "sky",
+                shader::sky(),
+                "draw_background",
+                &layouts,
+                LINEAR_FORMAT.into(),
+            ),
+        }
     }
 
     /// Covers all of `target`.

@@ -4,13 +4,18 @@
 const DATA_ROW_BITS = 11u;
 const SPRITE_TEXELS = 2u;
 const GROUP_TEXELS = 2u;
-const CLOUD_TEXELS = 7u;
+const CLOUD_TEXELS = 8u;
+const MOMENT_TEXELS = 2u;
+const POSE_TEXELS = 2u;
+// In place of a pose: the sprite simply faces the eye.
+const FACES_EYE = 0xffffffffu;
 
 @group(1) @binding(0) var sprite_data: texture_2d<u32>;
 @group(1) @binding(1) var group_data: texture_2d<u32>;
 @group(1) @binding(2) var cloud_data: texture_2d<u32>;
-// Where each cloud's origin lies from the eye: written every frame.
-@group(1) @binding(3) var offset_data: texture_2d<u32>;
+// Written every frame: of each cloud where it lies from the eye and how far it has formed; the sprites near the eye.
+@group(1) @binding(3) var moment_data: texture_2d<u32>;
+@group(1) @binding(4) var pose_data: texture_2d<u32>;
 
 struct Sprite {
     position: vec3f,
@@ -28,6 +33,8 @@ struct Group {
 }
 
 struct Cloud {
+    center: vec3f,
+    inverse_radius: f32,
     bottom: f32,
     top: f32,
     heights: vec4f,
@@ -37,6 +44,18 @@ struct Cloud {
     color_2: vec4f,
     color_3: vec4f,
     color_4: vec4f,
+}
+
+struct Moment {
+    from_eye: vec3f,
+    formed_core: f32,
+    formed_falloff: f32,
+}
+
+struct Pose {
+    towards: vec3f,
+    up: vec3f,
+    fade: f32,
 }
 
 fn load_bits(data: texture_2d<u32>, address: u32) -> vec4u {
@@ -62,16 +81,29 @@ fn load_group(index: u32) -> Group {
 
 fn load_cloud(index: u32) -> Cloud {
     let at = index * CLOUD_TEXELS;
-    let extent = load(cloud_data, at);
+    let sphere = load(cloud_data, at);
+    let extent = load(cloud_data, at + 1u);
     return Cloud(
+        sphere.xyz,
+        sphere.w,
         extent.x,
         extent.y,
-        load(cloud_data, at + 1u),
-        extent.z,
         load(cloud_data, at + 2u),
+        extent.z,
         load(cloud_data, at + 3u),
         load(cloud_data, at + 4u),
         load(cloud_data, at + 5u),
         load(cloud_data, at + 6u),
+        load(cloud_data, at + 7u),
     );
+}
+
+fn load_moment(cloud: u32) -> Moment {
+    let first = load(moment_data, cloud * MOMENT_TEXELS);
+    return Moment(first.xyz, first.w, load(moment_data, cloud * MOMENT_TEXELS + 1u).x);
+}
+
+fn load_pose(index: u32) -> Pose {
+    let first = load(pose_data, index * POSE_TEXELS);
+    return Pose(first.xyz, load(pose_data, index * POSE_TEXELS + 1u).xyz, first.w);
 }

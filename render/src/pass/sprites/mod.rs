@@ -1,11 +1,12 @@
 //! The sprites: instanced quads, back to front, premultiplied `over`.
 //!
-//! An instance is a pair of numbers, the cloud and the sprite; the vertex shader reads what they are from data textures,
-//! turns the quad to the eye and lights its corners. There is no depth buffer: the draw list's order is the order.
+//! An instance is three numbers: the cloud, the sprite, and the pose of one near the eye. The vertex shader reads what they
+//! are from data textures, turns the quad to the eye and lights its corners. There is no depth buffer: the draw list's order is the order.
 
 use super::{FrameBinding, begin};
 use crate::atlas_texture::AtlasTexture;
-use crate::cloud_data::CloudData;
+use crate::buffer::VertexBuffer;
+use crate::cloud_data::{CloudData, Instance};
 use crate::texture::LINEAR_FORMAT;
 use crate::{Gpu, shader};
 
@@ -25,8 +26,9 @@ impl SpritesPass {
                 data_entry(1),
                 data_entry(2),
                 data_entry(3),
+                data_entry(4),
                 wgpu::BindGroupLayoutEntry {
-                    binding: 4,
+                    binding: 5,
                     visibility: wgpu::ShaderStages::FRAGMENT,
                     ty: wgpu::BindingType::Texture {
                         sample_type: wgpu::TextureSampleType::Float { filterable: true },
@@ -36,7 +38,7 @@ impl SpritesPass {
                     count: None,
                 },
                 wgpu::BindGroupLayoutEntry {
-                    binding: 5,
+                    binding: 6,
                     visibility: wgpu::ShaderStages::FRAGMENT,
                     ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
                     count: None,
@@ -57,13 +59,13 @@ impl SpritesPass {
 
     /// The binding that reads `clouds` and `atlas`; stale when a texture of theirs is replaced.
     pub(crate) fn bind(&self, gpu: &Gpu, clouds: &CloudData, atlas: &AtlasTexture) -> wgpu::BindGroup {
-        let views = [&clouds.sprites.view, &clouds.groups.view, &clouds.clouds.view, &clouds.offsets.view, &atlas.view];
+        let data = [&clouds.sprites, &clouds.groups, &clouds.clouds, &clouds.moments, &clouds.poses];
+        let views = data.map(|data| &data.view).into_iter().chain([&atlas.view]);
         let mut entries: Vec<_> = views
-            .into_iter()
             .zip(0..)
             .map(|(view, binding)| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) })
             .collect();
-        entries.push(wgpu::BindGroupEntry { binding: 5, resource: wgpu::BindingResource::Sampler(&self.sampler) });
+        entries.push(wgpu::BindGroupEntry { binding: 6, resource: wgpu::BindingResource::Sampler(&self.sampler) });
         gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("sprites"),
             layout: &self.layout,
@@ -71,24 +73,24 @@ impl SpritesPass {
         })
     }
 
-    /// Blends the sprites over what `target` shows, or over nothing where `load` clears it.
+    /// Blends the sprites in `order` over what `target` shows, or over nothing where `load` clears it.
     pub(crate) fn record(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         frame: &FrameBinding,
-        (clouds, binding): (&CloudData, &wgpu::BindGroup),
+        (order, binding): (&VertexBuffer, &wgpu::BindGroup),
         (target, load): (&wgpu::TextureView, wgpu::LoadOp<wgpu::Color>),
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
         let mut pass = begin(encoder, "sprites", target, load, timestamps);
-        if clouds.order.count() == 0 {
+        if order.count() == 0 {
             return;
         }
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
         pass.set_bind_group(1, binding, &[]);
-        pass.set_vertex_buffer(0, clouds.order.slice());
-        pass.draw(0..4, 0..clouds.order.count());
+        pass.set_vertex_buffer(0, order.slice());
+        pass.draw(0..4, 0..order.count());
     }
 }
 
@@ -121,9 +123,9 @@ fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::Rend
             entry_point: Some("place_corner"),
             compilation_options: Default::default(),
             buffers: &[Some(wgpu::VertexBufferLayout {
-                array_stride: size_of::<[u32; 2]>() as u64,
+                array_stride: size_of::<Instance>() as u64,
                 step_mode: wgpu::VertexStepMode::Instance,
-                attributes: &wgpu::vertex_attr_array![0 => Uint32x2],
+                attributes: &wgpu::vertex_attr_array![0 => Uint32x3],
             })],
         },
         primitive: wgpu::PrimitiveState { topology: wgpu::PrimitiveTopology::TriangleStrip, ..Default::default() },

@@ -8,8 +8,8 @@ const TILE_SIZE: f32 = 128.0;
 const LAST_MIP: f32 = 4.0;
 const BRIGHTEST: f32 = 60000.0;
 
-@group(1) @binding(4) var atlas: texture_2d_array<f32>;
-@group(1) @binding(5) var atlas_sampler: sampler;
+@group(1) @binding(5) var atlas: texture_2d_array<f32>;
+@group(1) @binding(6) var atlas_sampler: sampler;
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -27,23 +27,26 @@ struct Corner {
 @vertex
 fn place_corner(
     @builtin(vertex_index) corner_index: u32,
-    @location(0) cloud_and_sprite: vec2u,
+    @location(0) instance: vec3u,
 ) -> Corner {
-    let sprite = load_sprite(cloud_and_sprite.y);
-    let cloud = load_cloud(cloud_and_sprite.x);
+    let cloud = load_cloud(instance.x);
+    let moment = load_moment(instance.x);
+    let sprite = load_sprite(instance.y);
     let group = load_group(sprite.group);
-    let center = load(offset_data, cloud_and_sprite.x).xyz + sprite.position;
+    let center = moment.from_eye + sprite.position;
 
-    let facing = face_eye(center, sprite.rotation);
+    let pose = pose_of(instance.z, center);
+    let facing = turned(pose, sprite.rotation);
     let to_right = facing.right * (0.5 * sprite.width);
     let to_top = facing.up * (0.5 * sprite.height);
 
     let distance_m = length(center);
     let hazed = haze_share(distance_m);
-    let top_left = corner_light(sprite.position - to_right + to_top, cloud, group, hazed);
-    let top_right = corner_light(sprite.position + to_right + to_top, cloud, group, hazed);
-    let bottom_left = corner_light(sprite.position - to_right - to_top, cloud, group, hazed);
-    let bottom_right = corner_light(sprite.position + to_right - to_top, cloud, group, hazed);
+    let shown = vec4f(vec3f(1.0 - hazed), pose.fade);
+    let top_left = shown * corner_light(sprite.position - to_right + to_top, cloud, moment, group);
+    let top_right = shown * corner_light(sprite.position + to_right + to_top, cloud, moment, group);
+    let bottom_left = shown * corner_light(sprite.position - to_right - to_top, cloud, moment, group);
+    let bottom_right = shown * corner_light(sprite.position + to_right - to_top, cloud, moment, group);
 
     let uv = vec2f(f32(corner_index & 1u), f32(corner_index >> 1u));
     var out: Corner;
@@ -90,14 +93,21 @@ struct Facing {
     up: vec3f,
 }
 
-// How a sprite at `center` (eye-relative) is turned; `rotation` is sine and cosine, counter-clockwise as seen.
-fn face_eye(center: vec3f, rotation: vec2f) -> Facing {
+// A sprite near the eye has a pose of its own; any other, at `center` (eye-relative), faces the eye.
+fn pose_of(index: u32, center: vec3f) -> Pose {
+    if index != FACES_EYE {
+        return load_pose(index);
+    }
     let to_eye = unit_or(-center, vec3f(0.0, 0.0, 1.0));
-    let upright = upright_across(to_eye);
-    let level_right = cross(upright, to_eye);
+    return Pose(to_eye, upright_across(to_eye), 1.0);
+}
+
+// `rotation` is sine and cosine, counter-clockwise as seen.
+fn turned(pose: Pose, rotation: vec2f) -> Facing {
+    let level_right = cross(pose.up, pose.towards);
     return Facing(
-        level_right * rotation.y + upright * rotation.x,
-        upright * rotation.y - level_right * rotation.x,
+        level_right * rotation.y + pose.up * rotation.x,
+        pose.up * rotation.y - level_right * rotation.x,
     );
 }
 
@@ -111,12 +121,14 @@ fn upright_across(to_eye: vec3f) -> vec3f {
     return unit_or(world * (1.0 - pole) + camera * pole, fallback);
 }
 
-// The light at a point that counts from the cloud's origin: linear rgb, straight, what haze leaves of it; alpha.
-fn corner_light(point: vec3f, cloud: Cloud, group: Group, hazed: f32) -> vec4f {
+// The light at a point that counts from the cloud's origin: linear rgb, straight; alpha, as far as the cloud has formed.
+fn corner_light(point: vec3f, cloud: Cloud, moment: Moment, group: Group) -> vec4f {
     let level = level_color(cloud, height_within(cloud, point.y));
     let directional = frame.directional_max * directional_share(point - group.center, group.c);
     let rgb = level.rgb * frame.ambient_max.rgb + directional;
-    return vec4f(rgb * (1.0 - hazed), clamp(level.a * frame.ambient_max.a, 0.0, 1.0));
+    let radii = distance(point, cloud.center) * cloud.inverse_radius;
+    let formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
+    return vec4f(rgb, clamp(level.a * frame.ambient_max.a, 0.0, 1.0) * formed);
 }
 
 // g(d), d the cosine between `outward` and the sun: Cmin at −1, Cmed at 0, Cmax at 1.

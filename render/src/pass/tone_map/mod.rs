@@ -1,6 +1,6 @@
 //! From linear light to what a display shows: exposure, tone curve, sRGB and dither.
 
-use super::{FrameBinding, begin, full_screen_pipeline};
+use super::{FrameBinding, begin, full_screen_pipeline, picture_layout};
 use crate::texture::{DISPLAY_FORMAT, Target};
 use crate::{Gpu, shader};
 
@@ -12,31 +12,16 @@ pub(crate) struct ToneMapPass {
 
 impl ToneMapPass {
     pub(crate) fn new(gpu: &Gpu, frame: &FrameBinding) -> Self {
-        let layout = gpu.device().create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-            label: Some("tone map"),
-            entries: &[wgpu::BindGroupLayoutEntry {
-                binding: 0,
-                visibility: wgpu::ShaderStages::FRAGMENT,
-                ty: wgpu::BindingType::Texture {
-                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
-                    view_dimension: wgpu::TextureViewDimension::D2,
-                    multisampled: false,
-                },
-                count: None,
-            }],
-        });
+        let layout = picture_layout(gpu, "tone map");
         let layouts = [Some(&frame.layout), Some(&layout)];
-        let pipeline = full_screen_pipeline(gpu, "tone map", shader::tone_map(), "develop", &layouts, DISPLAY_FORMAT);
+        let pipeline =
+            full_screen_pipeline(gpu, "tone map", shader::tone_map(), "develop", &layouts, DISPLAY_FORMAT.into());
         Self { pipeline, layout }
     }
 
     /// The binding that reads `linear`.
     pub(crate) fn bind(&self, gpu: &Gpu, linear: &Target) -> wgpu::BindGroup {
-        gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("tone map"),
-            layout: &self.layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&linear.view) }],
-        })
+        super::bind_picture(gpu, "tone map", &self.layout, linear)
     }
 
     /// Covers all of `target`.

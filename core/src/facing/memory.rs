@@ -1,0 +1,175 @@
+//! Where an eye has been, as far as sprites must know: the direction in which each was last faced from beyond the shell
+//! around the eye, and the up that it carries.
+//!
+//! Only sprites that are near the eye, or near straight above or below it, or not yet relaxed, are remembered; all else
+//! follows from the eye's place alone. A cloud out of reach of both costs two comparisons, and nothing for each sprite.
+//! Steps are made in order by whoever flies; what a view shows between two steps is one more step that is thrown away.
+
+use super::lock::{Locked, lock_distance};
+use super::rule::FacingRule;
+use super::{Pose, upright};
+use crate::camera::View;
+use crate::math::unit_or;
+use crate::sprites::{PlacedCloud, Sprite};
+use crate::version::Version;
+use glam::{DVec3, Vec3};
+use rustc_hash::FxHashMap;
+
+/// What one view remembers of the sprites around it.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct FacingMemory {
+    rule: FacingRule,
+    /// At the last step.
+    eye: Option<DVec3>,
+    /// Of the clouds that it remembers.
+    version: Option<Version>,
+    /// By the cloud's index; sprites in order of theirs.
+    clouds: FxHashMap<u32, Vec<Remembered>>,
+}
+
+/// One sprite's history.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Remembered {
+    pub(super) sprite: u32,
+    /// To the eye when that was last beyond the shell, unit.
+    pub(super) faced: Vec3,
+    pub(super) pose: Pose,
+}
+
+impl FacingMemory {
+    /// Of nothing yet.
+    pub fn new(rule: FacingRule) -> Self {
+        Self { rule, ..Self::default() }
+    }
+
+    pub(super) fn rule(&self) -> FacingRule {
+        self.rule
+    }
+
+    /// Goes on to `eye`. The first step, and one after the clouds have changed (`version`), remembers nothing: sprites
+    /// near the eye face it, upright by `camera_up`.
+    pub fn step(&mut self, clouds: &[PlacedCloud], version: Version, eye: DVec3, camera_up: Vec3) {
+        let known = self.knows(version);
+        let mut next: FxHashMap<u32, Vec<Remembered>> = FxHashMap::default();
+        for (index, cloud) in (0..).zip(clouds) {
+            let before = if known { self.of_cloud(index) } else { &[] };
+            let to_eye = ToEye::new(cloud, eye, self.eye.filter(|_| known), 0.0);
+            if before.is_empty() && !to_eye.is_near(cloud) && !to_eye.is_polar(cloud) {
+                continue;
+            }
+            let mut remembered = Vec::with_capacity(before.len());
+            to_eye.each(cloud, before, self.rule, (true, camera_up), |sprite, keeps| {
+                if keeps {
+                    remembered.push(sprite);
+                }
+            });
+            if !remembered.is_empty() {
+                next.insert(index, remembered);
+            }
+        }
+        (self.clouds, self.version, self.eye) = (next, Some(version), Some(eye));
+    }
+
+    /// What the cloud of that index is remembered for.
+    fn of_cloud(&self, index: u32) -> &[Remembered] {
+        self.clouds.get(&index).map_or(&[], Vec::as_slice)
+    }
+
+    /// How many sprites are remembered.
+    pub fn sprite_count(&self) -> usize {
+        self.clouds.values().map(Vec::len).sum()
+    }
+
+    /// Every sprite of a cloud whose pose is not that of a far one in a still, as `view` sees it now; sprites nearer
+    /// than `nearest` metres among them. `known`: whether what is remembered is of these clouds.
+    pub(super) fn poses_of(
+        &self,
+        (index, cloud): (u32, &PlacedCloud),
+        known: bool,
+        view: &View,
+        nearest: f32,
+        mut found: impl FnMut(u32, Pose),
+    ) {
+        let before = if known { self.of_cloud(index) } else { &[] };
+        let last = self.eye.filter(|_| known);
+        let to_eye = ToEye::new(cloud, view.eye, last, nearest);
+        // Without a history the poles are the still's affair.
+        let polar_too = last.is_some();
+        if !before.is_empty() || to_eye.is_near(cloud) || (polar_too && to_eye.is_polar(cloud)) {
+            to_eye.each(cloud, before, self.rule, (polar_too, view.up), |sprite, _| found(sprite.sprite, sprite.pose));
+        }
+    }
+
+    /// Whether it remembers this state of the clouds.
+    pub(super) fn knows(&self, version: Version) -> bool {
+        self.version == Some(version)
+    }
+}
+
+/// From a cloud's origin to the eye, now and at the last step; metres.
+struct ToEye {
+    now: Vec3,
+    before: Vec3,
+    /// Sprites nearer than this are near, whatever their size.
+    nearest: f32,
+}
+
+impl ToEye {
+    /// An eye that has not been anywhere was where it is.
+    fn new(cloud: &PlacedCloud, eye: DVec3, before: Option<DVec3>, nearest: f32) -> Self {
+        let now = (eye - cloud.origin).as_vec3();
+        Self { now, before: before.map_or(now, |before| (before - cloud.origin).as_vec3()), nearest }
+    }
+
+    /// Whether some sprite may be within its shell.
+    fn is_near(&self, cloud: &PlacedCloud) -> bool {
+        (self.now - cloud.center).length() < cloud.lock_reach + self.nearest
+    }
+
+    /// Whether some sprite may be near straight above or below the eye: the cone around the pole, widened by the sphere
+    /// that holds the centres.
+    fn is_polar(&self, cloud: &PlacedCloud) -> bool {
+        let center = self.now - cloud.center;
+        let across = glam::Vec2::new(center.x, center.z).length();
+        across - cloud.radius < POLAR_TANGENT * (center.y.abs() + cloud.radius)
+    }
+
+    /// Steps each sprite that is remembered or has to be; `keeps` tells whether it needs to be remembered further.
+    fn each(
+        &self,
+        cloud: &PlacedCloud,
+        before: &[Remembered],
+        rule: FacingRule,
+        (polar_too, camera_up): (bool, Vec3),
+        mut found: impl FnMut(Remembered, bool),
+    ) {
+        let mut before = before.iter().peekable();
+        for (sprite, index) in cloud.sprites.iter().zip(0..) {
+            let remembered = before.next_if(|remembered| remembered.sprite == index);
+            let to_eye = self.now - sprite.position;
+            let distance_squared = to_eye.length_squared();
+            let shell = rule.reach() * lock_distance(sprite.radius());
+            let within = |distance: f32| distance_squared < distance * distance;
+            // sin² of the elevation, without the root.
+            let polar = to_eye.y * to_eye.y > upright::POLE[0] * upright::POLE[0] * distance_squared;
+            if !within(shell.max(self.nearest)) && !(polar && polar_too) && remembered.is_none() {
+                continue;
+            }
+            let past = remembered.copied().unwrap_or_else(|| self.past(sprite, index, camera_up));
+            let faced = if within(shell) { past.faced } else { unit_or(to_eye, past.faced) };
+            let Locked { towards, fade } = rule.turn(to_eye, faced, lock_distance(sprite.radius()));
+            let up = upright::carry(past.pose.up, past.pose.towards, towards);
+            let keeps = within(shell) || polar || up != upright::world(towards, up);
+            found(Remembered { sprite: index, faced, pose: Pose { towards, up, fade } }, keeps);
+        }
+    }
+
+    /// What there would be to remember of a sprite that was far from the eye at the last step.
+    fn past(&self, sprite: &Sprite, index: u32, camera_up: Vec3) -> Remembered {
+        let pose = Pose::facing_eye(sprite.position - self.before, camera_up);
+        Remembered { sprite: index, faced: pose.towards, pose }
+    }
+}
+
+/// Of the angle from the pole at which [`upright::POLE`] begins: √(1 − 0.9²) / 0.9.
+const POLAR_TANGENT: f32 = 0.484_322_1;

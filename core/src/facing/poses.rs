@@ -1,0 +1,61 @@
+//! The poses of all sprites that don't simply face a far eye, in one view at one moment.
+
+use super::lock::{near_fade, near_reach};
+use super::{FacingMemory, Pose};
+use crate::camera::View;
+use crate::sprites::PlacedCloud;
+use crate::version::Version;
+use rayon::prelude::*;
+
+/// A sprite's pose.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Posed {
+    /// Index of the sprite within its cloud.
+    pub sprite: u32,
+    /// How it stands.
+    pub pose: Pose,
+}
+
+/// Of each cloud, in order of the sprites' indices.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Poses {
+    clouds: Vec<Vec<Posed>>,
+}
+
+impl Poses {
+    /// Those that `view` sees, with its history. What is near the eye but was never seen from afar faces the eye.
+    pub fn new(clouds: &[PlacedCloud], version: Version, view: &View, memory: &FacingMemory) -> Self {
+        if memory.rule().is_in_view_plane() {
+            return Self { clouds: clouds.iter().map(|cloud| in_view_plane(cloud, view)).collect() };
+        }
+        let reach = near_reach(view);
+        let known = memory.knows(version);
+        let of_cloud = |(index, cloud): (usize, &PlacedCloud)| {
+            let mut posed = Vec::new();
+            memory.poses_of((index as u32, cloud), known, view, 2.0 * reach, |sprite, mut pose| {
+                let to_eye = (view.eye - cloud.origin).as_vec3() - cloud.sprites[sprite as usize].position;
+                pose.fade *= near_fade(pose.towards.dot(to_eye), reach);
+                posed.push(Posed { sprite, pose });
+            });
+            posed
+        };
+        Self { clouds: clouds.par_iter().enumerate().with_min_len(16).map(of_cloud).collect() }
+    }
+
+    /// Those of the cloud of that index.
+    pub fn of_cloud(&self, cloud: usize) -> &[Posed] {
+        self.clouds.get(cloud).map_or(&[], Vec::as_slice)
+    }
+
+    /// The pose of one sprite, if it has one of its own.
+    pub fn of_sprite(&self, cloud: usize, sprite: u32) -> Option<&Pose> {
+        let posed = self.of_cloud(cloud);
+        posed.binary_search_by_key(&sprite, |posed| posed.sprite).ok().map(|at| &posed[at].pose)
+    }
+}
+
+/// Every sprite across the view direction.
+fn in_view_plane(cloud: &PlacedCloud, view: &View) -> Vec<Posed> {
+    let pose = Pose { towards: -view.forward, up: view.up, fade: 1.0 };
+    (0..cloud.sprites.len() as u32).map(|sprite| Posed { sprite, pose }).collect()
+}

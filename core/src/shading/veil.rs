@@ -1,0 +1,59 @@
+//! The air inside a cloud: what the sprites around the eye would hide if they could be seen from within.
+//!
+//! A sprite that the eye enters is locked and fades, and half of all sprites lie behind the eye: from within, a cloud
+//! looks thinner than the same way through it does from outside, and downwards the air is clear (MODEL §4). The mend is
+//! a veil before everything, as thick as what has faded away: each sprite is taken for a ball of its own optical depth,
+//! of which an eye inside has half before it in the mean, whichever way it looks. It comes as the sprite goes, so it is
+//! continuous through the cloud's border and as bounded as the fading is.
+
+use super::{Formed, Light, corner_light};
+use crate::camera::View;
+use crate::color::{Premultiplied, Rgb};
+use crate::draw_list::Hidden;
+use crate::facing::Poses;
+use crate::sprites::{Atlas, PlacedCloud};
+
+/// Before the eye, in every direction alike.
+pub type Veil = Premultiplied;
+
+/// No single sprite counts as more opaque than this: its optical depth would be infinite.
+const MOST_OPAQUE: f32 = 0.995;
+/// Of a ball's depth, what lies before an eye inside it.
+const BEFORE_THE_EYE: f32 = 0.5;
+
+/// The veil around the eye of `view`. `density` scales its optical depth: 0 for none, 1 as dense as the sprites.
+pub fn veil(
+    (clouds, formed, poses): (&[PlacedCloud], &[Formed], &Poses),
+    (view, light, atlas, hidden): (&View, &Light, &Atlas, &Hidden),
+    density: f32,
+) -> Veil {
+    let (mut depth, mut lit) = (0.0_f32, Rgb::BLACK);
+    if density <= 0.0 {
+        return Veil::CLEAR;
+    }
+    for (index, cloud) in clouds.iter().enumerate().filter(|(_, cloud)| !hidden.clouds.contains(&cloud.id)) {
+        let formed = formed.get(index).unwrap_or(&Formed::WHOLE);
+        let eye = (view.eye - cloud.origin).as_vec3();
+        for posed in poses.of_cloud(index) {
+            let sprite = &cloud.sprites[posed.sprite as usize];
+            let gone = 1.0 - posed.pose.fade;
+            if gone <= 0.0
+                || sprite.position.distance(eye) > sprite.lock_reach()
+                || hidden.boxes.contains(&sprite.box_id)
+            {
+                continue;
+            }
+            let color = corner_light(eye, cloud, &cloud.groups[sprite.group as usize], light, formed).color();
+            let opacity = (color.a * atlas.mean_opacity(sprite.tile.into())).min(MOST_OPAQUE);
+            let share = -libm::log1pf(-opacity) * BEFORE_THE_EYE * gone;
+            depth += share;
+            lit = lit + color.rgb * share;
+        }
+    }
+    if depth <= 0.0 {
+        return Veil::CLEAR;
+    }
+    let a = -libm::expm1f(-depth * density);
+    let Rgb { r, g, b } = lit * (a / depth);
+    Veil { r, g, b, a }
+}

@@ -1,0 +1,10 @@
+//! The sources' ways that fail, kept so that charts and tests can show how: seen nowhere else.
+//!
+//! Each stands where the shipped way stands ([`crate::facing::FacingRule`], [`crate::draw_list::Sorting`]) or beside it.
+
+mod facing;
+mod sorting;
+
+pub use facing::FacingVariant;
+pub use sorting::LazySorting;
+pub(crate) use sorting::LazyState;
