@@ -22,6 +22,17 @@ pub struct Sky {
     pub haze_length_m: f64,
     /// Each step doubles the light.
     pub exposure_ev: f64,
+    /// How dense the air inside a cloud looks: 0 for none, 1 as dense as the cloud's sprites.
+    #[serde(default = "as_its_sprites", skip_serializing_if = "is_as_its_sprites")]
+    pub inside_density: f64,
+}
+
+fn as_its_sprites() -> f64 {
+    parameter::INSIDE_DENSITY.default
+}
+
+fn is_as_its_sprites(inside_density: &f64) -> bool {
+    *inside_density == as_its_sprites()
 }
 
 /// A level ground with a landscape's blotches in two colours.
@@ -67,6 +78,7 @@ impl Default for Sky {
             gain: parameter::SKY_GAIN.default,
             haze_length_m: parameter::HAZE_LENGTH_M.default,
             exposure_ev: 0.0,
+            inside_density: as_its_sprites(),
         }
     }
 }

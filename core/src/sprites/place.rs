@@ -4,7 +4,9 @@
 //! one at the origin.
 
 use super::{Candidate, PopulatedModel};
-use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
+use crate::scene::{
+    BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, Formation, GroupCenter, GroupId, GroupLight,
+};
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -104,6 +106,8 @@ pub struct PlacedCloud {
     pub top: f32,
     /// Ambient light over the height.
     pub color_levels: ColorLevels,
+    /// How it comes or goes over time; none: it is whole.
+    pub formation: Option<Formation>,
 }
 
 impl PlacedCloud {
@@ -188,6 +192,7 @@ pub(crate) fn place_watched(
         groups,
         sprites,
         color_levels: model.color_levels,
+        formation: cloud.formation,
     }
 }
 
