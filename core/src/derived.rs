@@ -62,7 +62,7 @@ pub struct WorkDone {
     pub models_populated: u64,
     /// Clouds placed.
     pub clouds_placed: u64,
-    /// Clouds that kept their sprites and were given other colour levels or another name.
+    /// Clouds that kept their sprites and were given other colour levels, another name or another formation.
     pub clouds_dressed: u64,
 }
 

@@ -15,6 +15,7 @@ pub mod derived;
 pub mod document;
 pub mod draw_list;
 pub mod facing;
+pub mod flight;
 pub mod formats;
 pub mod frame;
 pub mod image;

@@ -73,4 +73,13 @@ parameters! {
     SKY_GAIN: "gain", "Sky gain", "", 0.0 ..= 100.0, 1.0, "Scales the sky so that it meets the clouds' colours.";
     HAZE_LENGTH_M: "haze_length_m", "Haze length", "m", 10.0 ..= 1e9, 26000.0, "Distance over which 63 % of a colour turns to the horizon's.";
     EXPOSURE_EV: "exposure_ev", "Exposure", "EV", -20.0 ..= 20.0, 0.0, "Each step doubles the light.";
+    INSIDE_DENSITY: "inside_density", "Inside density", "", 0.0 ..= 4.0, 1.0, "How dense the air inside a cloud looks: 0 for none, 1 as dense as its sprites.";
+    FORMATION_START_S: "formation.start_s", "Begins at", "s", 0.0 ..= 86400.0, 0.0, "When the cloud begins to change, counted from the start of play or flight.";
+    FORMATION_CORE_S: "formation.core_s", "Core takes", "s", 0.0 ..= 86400.0, 20.0, "How long the cloud's core takes to form or to dissipate.";
+    FORMATION_EDGES_S: "formation.edges_s", "Edges take", "s", 0.0 ..= 86400.0, 30.0, "How long the cloud's edges take to form or to dissipate.";
+    FORMATION_THRESHOLD: "formation.threshold", "Edges from", "", 0.01 ..= 1.0, 0.5, "Opacity of the core at which the edges begin to form, or have gone.";
+    KEY_TIME_S: "time_s", "Time", "s", 0.0 ..= 86400.0, 0.0, "When the flight passes the key. The first key's time is the flight's start.";
+    LEG_SPEED_MPS: "speed_mps", "Speed to next key", "m/s", 0.01 ..= 1e5, 80.0, "Mean speed from the key to the next. Later keys move in time.";
+    AIRCRAFT_AHEAD_S: "ahead_s", "Ahead of the camera", "s", -86400.0 ..= 86400.0, 4.0, "How far ahead on its path the aircraft flies: a camera on the same path follows it.";
+    AIRCRAFT_SCALE: "scale", "Scale", "", 0.001 ..= 1000.0, 1.0, "Scales the aircraft's model.";
 }

@@ -28,7 +28,7 @@ mod window;
 pub(crate) use action::{Action, ViewChange};
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
-pub(crate) use selection::{box_of, camera_of, group_of};
+pub(crate) use selection::{aircraft_of, box_of, camera_of, group_of};
 pub use session::{Pending, Session};
 pub(crate) use starter::scene as starter_scene;
 pub(crate) use time_play::TimePlay;

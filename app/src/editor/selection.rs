@@ -6,7 +6,8 @@
 
 pub use cloudwright_core::arrange::Thing as Item;
 use cloudwright_core::scene::{
-    BoxId, Camera, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, ModelId, Scene, ShadingGroup,
+    Aircraft, AircraftId, BoxId, Camera, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, ModelId, PathId,
+    Scene, ShadingGroup,
 };
 
 /// How a choice joins what is selected already.
@@ -112,6 +113,16 @@ impl Selection {
         self.items.iter().filter_map(|item| if let Item::Camera(id) = item { Some(*id) } else { None })
     }
 
+    /// The selected camera paths.
+    pub(crate) fn paths(&self) -> impl Iterator<Item = PathId> + '_ {
+        self.items.iter().filter_map(|item| if let Item::Path(id) = item { Some(*id) } else { None })
+    }
+
+    /// The selected aircraft.
+    pub(crate) fn aircraft(&self) -> impl Iterator<Item = AircraftId> + '_ {
+        self.items.iter().filter_map(|item| if let Item::Aircraft(id) = item { Some(*id) } else { None })
+    }
+
     /// The selected shading groups with their models.
     pub(crate) fn groups(&self) -> impl Iterator<Item = (ModelId, GroupId)> + '_ {
         self.items.iter().filter_map(|item| if let Item::Group(model, id) = item { Some((*model, *id)) } else { None })
@@ -153,12 +164,12 @@ impl Selection {
     }
 }
 
-/// The model that a thing belongs to or places; none for cameras.
+/// The model that a thing belongs to or places; none for cameras, paths and aircraft.
 pub(crate) fn model_of(item: Item, scene: &Scene) -> Option<ModelId> {
     match item {
         Item::Model(id) | Item::Box(id, _) | Item::Sprite(id, ..) | Item::Group(id, _) => Some(id),
         Item::Cloud(id) => Some(scene.cloud(id)?.model),
-        Item::Camera(_) => None,
+        Item::Camera(_) | Item::Path(_) | Item::Aircraft(_) => None,
     }
 }
 
@@ -171,6 +182,8 @@ pub(super) fn is_in(item: Item, scene: &Scene) -> bool {
         Item::Group(model, id) => group_of(scene, model, id).is_some(),
         Item::Cloud(id) => scene.cloud(id).is_some(),
         Item::Camera(id) => camera_of(scene, id).is_some(),
+        Item::Path(id) => scene.path(id).is_some(),
+        Item::Aircraft(id) => aircraft_of(scene, id).is_some(),
     }
 }
 
@@ -187,6 +200,11 @@ pub(crate) fn group_of(scene: &Scene, model: ModelId, id: GroupId) -> Option<&Sh
 /// A camera by its id.
 pub(crate) fn camera_of(scene: &Scene, id: CameraId) -> Option<&Camera> {
     scene.cameras.iter().find(|camera| camera.id == id)
+}
+
+/// An aircraft by its id.
+pub(crate) fn aircraft_of(scene: &Scene, id: AircraftId) -> Option<&Aircraft> {
+    scene.aircraft.iter().find(|aircraft| aircraft.id == id)
 }
 
 #[cfg(test)]

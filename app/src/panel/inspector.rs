@@ -2,9 +2,9 @@
 
 use super::fields::{Fields, fields};
 use super::shading_groups::members;
-use super::{Reading, camera, cloud, cloud_box, model};
+use super::{Reading, aircraft, camera, cloud, cloud_box, model, path};
 use crate::command::Command;
-use crate::editor::{Action, Choose, Item, box_of, camera_of, group_of};
+use crate::editor::{Action, Choose, Item, aircraft_of, box_of, camera_of, group_of};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::{ModelId, ShadingGroup};
 use egui::{ScrollArea, Ui};
@@ -63,6 +63,22 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
                 .collect();
             title(ui, "Camera", cameras.len());
             camera::fields_of(ui, &cameras, actions);
+        }
+        Item::Path(_) => {
+            let paths: Vec<_> = chosen()
+                .filter_map(|item| if let Item::Path(id) = item { scene.path(*id) } else { None })
+                .cloned()
+                .collect();
+            title(ui, "Path", paths.len());
+            path::fields_of(ui, &paths, actions);
+        }
+        Item::Aircraft(_) => {
+            let all: Vec<_> = chosen()
+                .filter_map(|item| if let Item::Aircraft(id) = item { aircraft_of(scene, *id) } else { None })
+                .cloned()
+                .collect();
+            title(ui, "Aircraft", all.len());
+            aircraft::fields_of(ui, &all, reading, actions);
         }
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! A new panel is a file here, a variant with its row in [`Panel::show`], and a command that brings it up.
 
+mod aircraft;
 mod bars;
 mod camera;
 mod checkerboard;
@@ -16,6 +17,7 @@ mod kept;
 mod model;
 mod outline;
 mod palette;
+mod path;
 mod place_many;
 mod preset_gallery;
 mod problems;

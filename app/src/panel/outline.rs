@@ -1,4 +1,4 @@
-//! The scene as a tree: models with their boxes, clouds, cameras. A click selects, with Ctrl or Shift more than one.
+//! The scene as a tree: models with their boxes, clouds, cameras, flights. A click selects, with Ctrl or Shift more than one.
 
 use super::Reading;
 use crate::editor::{Action, Choose, Item, ViewChange};
@@ -29,6 +29,17 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
                 if response.on_hover_text("Double-click to look through it").double_clicked() {
                     actions.push(Action::LookThrough(camera.id));
                 }
+            }
+        });
+        section(ui, "Paths", scene.paths.len(), |ui| {
+            for path in &scene.paths {
+                row(ui, &named(&path.name, "path", path.id.0), Item::Path(path.id), reading, actions);
+            }
+        });
+        section(ui, "Aircraft", scene.aircraft.len(), |ui| {
+            for aircraft in &scene.aircraft {
+                let name = named(&aircraft.name, "aircraft", aircraft.id.0);
+                row(ui, &name, Item::Aircraft(aircraft.id), reading, actions);
             }
         });
     });
@@ -63,7 +74,7 @@ fn row(ui: &mut Ui, text: &str, item: Item, reading: &Reading<'_>, actions: &mut
         egui::vec2(ui.available_width(), ui.spacing().interact_size.y),
         Layout::right_to_left(Align::Center),
         |ui| {
-            if !matches!(item, Item::Camera(_)) {
+            if !matches!(item, Item::Camera(_) | Item::Path(_) | Item::Aircraft(_)) {
                 let locked = view.locked.contains(&item);
                 let (glyph, word) =
                     if locked { (icon::LOCK_SIMPLE, "Unlock") } else { (icon::LOCK_SIMPLE_OPEN, "Lock") };

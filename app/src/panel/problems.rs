@@ -89,6 +89,10 @@ fn item_at(place: &str, scene: &Scene) -> Option<(Item, String)> {
         ("cameras", at) => {
             scene.cameras.get(at).and_then(|camera| named(Item::Camera(camera.id), &camera.name, "a camera"))
         }
+        ("paths", at) => scene.paths.get(at).and_then(|path| named(Item::Path(path.id), &path.name, "a path")),
+        ("aircraft", at) => {
+            scene.aircraft.get(at).and_then(|each| named(Item::Aircraft(each.id), &each.name, "an aircraft"))
+        }
         _ => None,
     }
 }

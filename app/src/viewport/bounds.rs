@@ -43,6 +43,9 @@ fn spheres(item: Item, selection: &Selection, session: &Session) -> Vec<(DVec3, 
             });
             sphere.into_iter().collect()
         }
-        Item::Camera(_) => Vec::new(),
+        Item::Path(id) => {
+            scene.path(id).into_iter().flat_map(|path| &path.keys).map(|key| (key.position, 0.0)).collect()
+        }
+        Item::Camera(_) | Item::Aircraft(_) => Vec::new(),
     }
 }

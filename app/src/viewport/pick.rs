@@ -239,6 +239,7 @@ mod tests {
             heading_deg: 1.0_f64.to_degrees(),
             scale: 2.0,
             seed: None,
+            formation: None,
         };
         // Heading and orientation cancel out: the box lies along x, 20 m above the cloud's position.
         let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(100.0, 100.0));

@@ -14,15 +14,8 @@ pub(crate) fn good_scene() -> Scene {
         model.boxes.push(CloudBox::new(BoxId::new(&mut scene.next_id), DVec3::new(x, 0.0, 0.0)));
     }
     for (name, x) in [("west", -900.0), ("east", 900.0)] {
-        scene.clouds.push(Cloud {
-            id: CloudId::new(&mut scene.next_id),
-            name: name.into(),
-            model: model.id,
-            position: DVec3::new(x, 900.0, 0.0),
-            heading_deg: 0.0,
-            scale: 1.0,
-            seed: None,
-        });
+        let cloud = Cloud::new(CloudId::new(&mut scene.next_id), &model, DVec3::new(x, 900.0, 0.0));
+        scene.clouds.push(Cloud { name: name.into(), ..cloud });
     }
     scene.models.push(model);
     let above = Camera {

@@ -1,6 +1,6 @@
 //! Any mix of things out of the scene, with what hangs on them.
 //!
-//! A model takes its clouds along; a group sets free the boxes and sprites that were in it; a sprite is dropped by
+//! A model takes its clouds along, a path its aircraft; a group sets free the boxes and sprites that were in it; a sprite is dropped by
 //! hand, so that it stays away when others are strewn. A model whose last cloud goes stays: it can be placed again.
 
 use super::copy::groups_of;
@@ -29,6 +29,16 @@ pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
     for camera in &scene.cameras {
         if doomed.contains(&Thing::Camera(camera.id)) {
             plan.edits.push(Edit::Camera(ListEdit::Remove(camera.id)));
+        }
+    }
+    for aircraft in &scene.aircraft {
+        if doomed.contains(&Thing::Aircraft(aircraft.id)) || doomed.contains(&Thing::Path(aircraft.path)) {
+            plan.edits.push(Edit::Aircraft(ListEdit::Remove(aircraft.id)));
+        }
+    }
+    for path in &scene.paths {
+        if doomed.contains(&Thing::Path(path.id)) {
+            plan.edits.push(Edit::Path(ListEdit::Remove(path.id)));
         }
     }
     plan.done()
@@ -72,7 +82,8 @@ fn from_model(plan: &mut Plan<'_>, model: &CloudModel, doomed: &BTreeSet<Thing>)
 mod tests {
     use super::super::test_scenes::{applied, two_clouds};
     use super::*;
-    use crate::scene::{ModelId, SpriteEdit};
+    use crate::problem::scene_with_flight;
+    use crate::scene::{ModelId, PathId, SpriteEdit};
 
     #[test]
     fn any_mix_goes_and_nothing_points_at_it() {
@@ -103,6 +114,18 @@ mod tests {
         let dropped = SpriteEdit { index: 5, moved: None, dropped: true, group: None };
         assert_eq!(model.boxes[0].sprite_edits, [dropped]);
         assert_eq!((model.boxes[1].group, model.boxes[1].sprite_edits.len()), (None, 0));
+    }
+
+    #[test]
+    fn a_path_takes_its_aircraft_along() {
+        let mut scene = scene_with_flight();
+        let mut other = scene.paths[0].clone();
+        (other.id, other.name) = (PathId::new(&mut scene.next_id), "other".into());
+        scene.paths.push(other);
+        let after = applied(&scene, &things(&scene, &[Thing::Path(scene.paths[0].id)]));
+        assert_eq!((after.paths.as_slice(), after.aircraft.as_slice()), (&scene.paths[1..], &[][..]));
+        let after = applied(&scene, &things(&scene, &[Thing::Aircraft(scene.aircraft[0].id)]));
+        assert_eq!((after.paths.len(), after.aircraft.len()), (2, 0), "the path stays");
     }
 
     #[test]

@@ -1,4 +1,4 @@
-//! Copies beside the originals: clouds of the same model or of one of their own, boxes, cameras.
+//! Copies beside the originals: clouds of the same model or of one of their own, boxes, cameras, paths, aircraft.
 //!
 //! A copy looks like its original ([`super`] says how). A copied box therefore repeats its original's sprites;
 //! another `key` rolls it anew. Copies at the very place of their originals lose their sprites to the cull.
@@ -6,7 +6,7 @@
 use super::copy::{copy_model, copy_parts};
 use super::{Arrangement, Names, Plan, Thing, at_end, chosen};
 use crate::document::{Edit, ListEdit};
-use crate::scene::{BoxId, Camera, CameraId, Cloud, CloudId, ModelId, Scene};
+use crate::scene::{Aircraft, AircraftId, BoxId, Camera, CameraId, CameraPath, Cloud, CloudId, ModelId, PathId, Scene};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -102,6 +102,35 @@ pub fn cameras(scene: &Scene, ids: &[CameraId], offset: DVec3) -> Arrangement {
     plan.done()
 }
 
+/// Copies of paths, `offset` metres in the world away, without the aircraft on them.
+pub fn paths(scene: &Scene, ids: &[PathId], offset: DVec3) -> Arrangement {
+    let mut plan = Plan::new(scene);
+    let mut names = Names::new(scene.paths.iter().map(|path| path.name.as_str()));
+    for old in chosen(&scene.paths, ids) {
+        let id = PathId::new(&mut plan.next_id);
+        let mut new = CameraPath { id, name: names.free(&old.name), ..old.clone() };
+        for key in &mut new.keys {
+            key.position += offset;
+        }
+        plan.edits.push(Edit::Path(at_end(new)));
+        plan.made.push(Thing::Path(id));
+    }
+    plan.done()
+}
+
+/// Copies of aircraft on the same paths, `later_s` seconds behind their originals.
+pub fn aircraft(scene: &Scene, ids: &[AircraftId], later_s: f64) -> Arrangement {
+    let mut plan = Plan::new(scene);
+    let mut names = Names::new(scene.aircraft.iter().map(|aircraft| aircraft.name.as_str()));
+    for old in chosen(&scene.aircraft, ids) {
+        let id = AircraftId::new(&mut plan.next_id);
+        let ahead_s = old.ahead_s - later_s;
+        plan.edits.push(Edit::Aircraft(at_end(Aircraft { id, name: names.free(&old.name), ahead_s, ..old.clone() })));
+        plan.made.push(Thing::Aircraft(id));
+    }
+    plan.done()
+}
+
 pub(super) fn model_names(scene: &Scene) -> Names {
     Names::new(scene.models.iter().map(|model| model.name.as_str()))
 }
@@ -110,6 +139,7 @@ pub(super) fn model_names(scene: &Scene) -> Names {
 mod tests {
     use super::super::test_scenes::{applied, assert_same_looks, placed, two_clouds};
     use super::*;
+    use crate::problem::scene_with_flight;
     use crate::scene::SpriteEdit;
 
     #[test]
@@ -172,5 +202,20 @@ mod tests {
         let after = applied(&scene, &cameras(&scene, &[scene.cameras[0].id], DVec3::Y));
         assert_eq!(after.cameras[1].position, scene.cameras[0].position + DVec3::Y);
         assert_eq!(boxes(&scene, ModelId(9999), &[], DVec3::ZERO), Arrangement::default());
+    }
+
+    #[test]
+    fn paths_and_aircraft() {
+        let scene = scene_with_flight();
+        let (path, leader) = (&scene.paths[0], &scene.aircraft[0]);
+        let arrangement = paths(&scene, &[path.id, PathId(9999)], DVec3::X * 300.0);
+        let after = applied(&scene, &arrangement);
+        let new = after.paths.last().expect("the copy");
+        assert_eq!(arrangement.made, [Thing::Path(new.id)]);
+        assert_eq!((new.name.as_str(), after.aircraft.len()), ("through 2", 1));
+        assert!(new.keys.iter().zip(&path.keys).all(|(new, old)| new.position == old.position + DVec3::X * 300.0));
+        let after = applied(&scene, &aircraft(&scene, &[leader.id], 1.5));
+        let new = after.aircraft.last().expect("the copy");
+        assert_eq!((new.path, new.ahead_s), (path.id, leader.ahead_s - 1.5));
     }
 }

@@ -28,7 +28,10 @@ pub use model_space::ModelSpace;
 pub use names::Names;
 
 use crate::document::{Edit, ListEdit};
-use crate::scene::{BoxId, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, HasId, IdCounter, ModelId, Scene};
+use crate::scene::{
+    AircraftId, BoxId, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, HasId, IdCounter, ModelId, PathId,
+    Scene,
+};
 
 /// Something of a scene that can be chosen.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -45,6 +48,10 @@ pub enum Thing {
     Sprite(ModelId, BoxId, u32),
     /// A camera.
     Camera(CameraId),
+    /// A camera path.
+    Path(PathId),
+    /// An aircraft.
+    Aircraft(AircraftId),
 }
 
 /// Edits that belong together.

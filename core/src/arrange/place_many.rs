@@ -65,6 +65,7 @@ pub fn model(scene: &Scene, model: ModelId, places: &Places) -> Arrangement {
             heading_deg: if places.random_heading { 360.0 * turn } else { 0.0 },
             scale: smallest + (largest - smallest) * growth,
             seed: None,
+            formation: None,
         });
         plan.made.push(Thing::Cloud(id));
     }

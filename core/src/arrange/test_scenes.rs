@@ -37,6 +37,7 @@ pub(super) fn two_clouds() -> Scene {
             heading_deg: 35.0 * i,
             scale: 1.0 + 0.5 * i,
             seed: (i > 1.0).then_some(99),
+            formation: None,
         });
         scene.models.push(model);
     }

@@ -29,7 +29,7 @@ pub struct Plan<'a> {
 enum Step<'a> {
     /// The one of that position before, as it was.
     Keep(usize),
-    /// The one of that position before, with other colours or another name.
+    /// The one of that position before, with other colours, another name or another way to come and go.
     Dress(usize, &'a Cloud, Populated),
     Place(&'a Cloud, Key),
 }
@@ -104,7 +104,9 @@ impl<'a> Plan<'a> {
                 && Arc::ptr_eq(&source.populated.sprites, &populated.sprites)
                 && same_groups(&source.populated.model, &populated.model);
             if stands {
-                let as_it_was = placed.name == cloud.name && placed.color_levels == populated.model.color_levels;
+                let as_it_was = placed.name == cloud.name
+                    && placed.color_levels == populated.model.color_levels
+                    && placed.formation == cloud.formation;
                 let step = if as_it_was { Step::Keep(old) } else { Step::Dress(old, cloud, populated.clone()) };
                 return self.clouds.push(step);
             }
@@ -149,7 +151,8 @@ impl<'a> Plan<'a> {
             Step::Dress(old, cloud, populated) => {
                 let name = cloud.name.clone();
                 let color_levels = populated.model.color_levels;
-                let dressed = PlacedCloud { name, color_levels, ..before.clouds[old].clone() };
+                let formation = cloud.formation;
+                let dressed = PlacedCloud { name, color_levels, formation, ..before.clouds[old].clone() };
                 Some((dressed, Source { stand: before.sources[old].stand, populated }))
             }
             Step::Place(cloud, key) => {

@@ -2,8 +2,8 @@
 
 use super::{Change, EditError};
 use crate::scene::{
-    BoxId, Camera, CameraId, Cloud, CloudBox, CloudId, CloudModel, Ground, GroupId, HasId, IdCounter, ModelId, Place,
-    Scene, ShadingGroup, Sky, Sun,
+    Aircraft, AircraftId, BoxId, Camera, CameraId, CameraPath, Cloud, CloudBox, CloudId, CloudModel, Ground, GroupId,
+    HasId, IdCounter, ModelId, PathId, Place, Scene, ShadingGroup, Sky, Sun,
 };
 
 /// A named value that changes a scene.
@@ -35,6 +35,10 @@ pub enum Edit {
     Group(ModelId, ListEdit<ShadingGroup>),
     /// A placed cloud.
     Cloud(ListEdit<Cloud>),
+    /// A camera path.
+    Path(ListEdit<CameraPath>),
+    /// An aircraft.
+    Aircraft(ListEdit<Aircraft>),
 }
 
 /// A change to one of the scene's lists.
@@ -74,6 +78,8 @@ impl Edit {
             Self::Box(model, edit) => Self::Box(model, edit.apply(&mut model_mut(scene, model)?.boxes, "box")?),
             Self::Group(model, edit) => Self::Group(model, edit.apply(&mut model_mut(scene, model)?.groups, "group")?),
             Self::Cloud(edit) => Self::Cloud(edit.apply(&mut scene.clouds, "cloud")?),
+            Self::Path(edit) => Self::Path(edit.apply(&mut scene.paths, "path")?),
+            Self::Aircraft(edit) => Self::Aircraft(edit.apply(&mut scene.aircraft, "aircraft")?),
         })
     }
 
@@ -92,7 +98,9 @@ impl Edit {
             | Self::Place(_)
             | Self::Sun(_)
             | Self::Sky(_)
-            | Self::Camera(_) => {}
+            | Self::Camera(_)
+            | Self::Path(_)
+            | Self::Aircraft(_) => {}
         }
         change
     }
@@ -113,6 +121,8 @@ impl Edit {
             Self::Box(..) => "Box",
             Self::Group(..) => "Shading group",
             Self::Cloud(_) => "Cloud",
+            Self::Path(_) => "Path",
+            Self::Aircraft(_) => "Aircraft",
         }
         .into()
     }
@@ -133,7 +143,15 @@ impl Edit {
             Self::Box(model, ListEdit::Replace(cloud_box)) => Part::Box(*model, cloud_box.id),
             Self::Group(model, ListEdit::Replace(group)) => Part::Group(*model, group.id),
             Self::Cloud(ListEdit::Replace(cloud)) => Part::Cloud(cloud.id),
-            Self::Camera(_) | Self::Model(_) | Self::Box(..) | Self::Group(..) | Self::Cloud(_) => return None,
+            Self::Path(ListEdit::Replace(path)) => Part::Path(path.id),
+            Self::Aircraft(ListEdit::Replace(aircraft)) => Part::Aircraft(aircraft.id),
+            Self::Camera(_)
+            | Self::Model(_)
+            | Self::Box(..)
+            | Self::Group(..)
+            | Self::Cloud(_)
+            | Self::Path(_)
+            | Self::Aircraft(_) => return None,
         })
     }
 }
@@ -154,6 +172,8 @@ pub(super) enum Part {
     Box(ModelId, BoxId),
     Group(ModelId, GroupId),
     Cloud(CloudId),
+    Path(PathId),
+    Aircraft(AircraftId),
 }
 
 fn model_mut(scene: &mut Scene, id: ModelId) -> Result<&mut CloudModel, EditError> {

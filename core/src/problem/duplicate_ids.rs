@@ -1,5 +1,5 @@
 //! An id belongs to one thing of its kind, and the counter is beyond them all: else edits would hit the wrong thing and
-//! a new one would get an old id. Cameras' names are what the command line knows them by, so they differ too.
+//! a new one would get an old id. Cameras' and paths' names are what the command line knows them by, so they differ too.
 
 use super::Problem;
 use crate::scene::{CloudModel, Scene};
@@ -42,15 +42,22 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
     check_kind(&mut scene.cameras.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("cameras"));
     check_kind(&mut models().map(|(i, m)| (m.id.0, [i, 0])), &in_list("models"));
     check_kind(&mut scene.clouds.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("clouds"));
+    check_kind(&mut scene.paths.iter().enumerate().map(|(i, p)| (p.id.0, [i, 0])), &in_list("paths"));
+    check_kind(&mut scene.aircraft.iter().enumerate().map(|(i, a)| (a.id.0, [i, 0])), &in_list("aircraft"));
     check_kind(&mut models().flat_map(boxes), &in_model("boxes"));
     check_kind(&mut models().flat_map(groups), &in_model("groups"));
-    let mut names = BTreeSet::new();
-    for (i, camera) in scene.cameras.iter().enumerate() {
-        if !names.insert(&camera.name) {
+    check_names("camera", "cameras", scene.cameras.iter().map(|camera| camera.name.as_str()), problems);
+    check_names("path", "paths", scene.paths.iter().map(|path| path.name.as_str()), problems);
+}
+
+fn check_names<'a>(kind: &str, list: &str, names: impl Iterator<Item = &'a str>, problems: &mut Vec<Problem>) {
+    let mut taken = BTreeSet::new();
+    for (i, name) in names.enumerate() {
+        if !taken.insert(name) {
             problems.push(Problem::error(
-                format!("cameras[{i}].name"),
-                format!("another camera is called “{}” too", camera.name),
-                "give each camera a name of its own",
+                format!("{list}[{i}].name"),
+                format!("another {kind} is called “{name}” too"),
+                format!("give each {kind} a name of its own"),
             ));
         }
     }
@@ -58,13 +65,15 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{assert_found, sound_scene};
+    use super::super::{assert_found, scene_with_flight};
 
     #[test]
     fn refuses() {
-        let mut scene = sound_scene();
+        let mut scene = scene_with_flight();
         scene.clouds.push(scene.clouds[0].clone());
         scene.cameras.push(scene.cameras[0].clone());
+        scene.paths.push(scene.paths[0].clone());
+        scene.aircraft.push(scene.aircraft[0].clone());
         let mut last = scene.clone();
         last.next_id.0 = u64::MAX;
         assert_found(&last, "next_id", "no ids");
@@ -72,5 +81,8 @@ mod tests {
         assert_found(&scene, "clouds[1].id", "taken already, at clouds[0].id");
         assert_found(&scene, "models[0].id", "next_id");
         assert_found(&scene, "cameras[1].name", "called");
+        assert_found(&scene, "paths[1].id", "taken already, at paths[0].id");
+        assert_found(&scene, "paths[1].name", "another path");
+        assert_found(&scene, "aircraft[1].id", "taken already, at aircraft[0].id");
     }
 }

@@ -1,4 +1,5 @@
-//! What is named must exist: the models of clouds, the groups of boxes and sprites, the sprites that were edited.
+//! What is named must exist: the models of clouds, the paths of aircraft, the groups of boxes and sprites, the sprites
+//! that were edited.
 
 use super::Problem;
 use crate::scene::{CloudBox, CloudModel, GroupId, ModelId, Scene};
@@ -13,6 +14,15 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
                 format!("clouds[{i}].model"),
                 format!("there is no model {}", cloud.model),
                 format!("the models are {}", list(scene.models.iter().map(|m| m.id.to_string()))),
+            ));
+        }
+    }
+    for (i, aircraft) in scene.aircraft.iter().enumerate() {
+        if scene.path(aircraft.path).is_none() {
+            problems.push(Problem::error(
+                format!("aircraft[{i}].path"),
+                format!("there is no path {}", aircraft.path),
+                format!("the paths are {}", list(scene.paths.iter().map(|p| p.id.to_string()))),
             ));
         }
     }
@@ -65,15 +75,17 @@ fn list(names: impl Iterator<Item = String>) -> String {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{assert_found, sound_scene};
-    use crate::scene::{GroupId, ModelId};
+    use super::super::{assert_found, scene_with_flight};
+    use crate::scene::{GroupId, ModelId, PathId};
 
     #[test]
     fn refuses() {
-        let mut scene = sound_scene();
+        let mut scene = scene_with_flight();
         scene.clouds[0].model = ModelId(77);
         scene.models[0].boxes[0].group = Some(GroupId(78));
+        scene.aircraft[0].path = PathId(79);
         assert_found(&scene, "clouds[0].model", "no model 77");
+        assert_found(&scene, "aircraft[0].path", "no path 79");
         assert_found(&scene, "models[0].boxes[0].group", "no group 78");
     }
 }

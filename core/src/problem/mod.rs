@@ -3,6 +3,7 @@
 //! A check walks the scene and reports; it never changes anything. Errors make a scene unusable (a file with one is
 //! not opened, a transaction that brings one is taken back); notes are worth a look and refused by nobody.
 
+mod camera_paths;
 mod crowded_group;
 mod daily_tables;
 mod duplicate_ids;
@@ -68,6 +69,7 @@ const CHECKS: &[fn(&Scene, &mut Vec<Problem>)] = &[
     levels_out_of_order::check,
     duplicate_ids::check,
     missing_references::check,
+    camera_paths::check,
     too_many_sprites::check,
     unused_groups::check,
     no_cameras::check,
@@ -117,17 +119,30 @@ pub(crate) fn sound_scene() -> Scene {
     let mut scene = Scene::default();
     let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "heap", Category::CumulusHumilis);
     model.boxes.push(CloudBox::new(BoxId::new(&mut scene.next_id), glam::DVec3::ZERO));
-    let cloud = Cloud {
-        id: CloudId::new(&mut scene.next_id),
-        name: "cloud".into(),
-        model: model.id,
-        position: glam::DVec3::new(0.0, 1000.0, 0.0),
-        heading_deg: 0.0,
-        scale: 1.0,
-        seed: None,
-    };
+    let cloud = Cloud::new(CloudId::new(&mut scene.next_id), &model, glam::DVec3::new(0.0, 1000.0, 0.0));
     scene.models.push(model);
     scene.clouds.push(cloud);
+    assert_eq!(check(&scene), []);
+    scene
+}
+
+/// The same with a path of two keys and an aircraft on it.
+#[cfg(test)]
+pub(crate) fn scene_with_flight() -> Scene {
+    use crate::scene::{Aircraft, AircraftId, CameraPath, PathId, PathKey};
+    use glam::DVec3;
+    let mut scene = sound_scene();
+    let key = |time_s, z| PathKey {
+        time_s,
+        position: DVec3::new(0.0, 1000.0, z),
+        heading_deg: 0.0,
+        pitch_deg: 0.0,
+        roll_deg: 0.0,
+    };
+    let path = CameraPath::new(PathId::new(&mut scene.next_id), "through", vec![key(0.0, 900.0), key(20.0, -900.0)]);
+    let aircraft = Aircraft::new(AircraftId::new(&mut scene.next_id), "leader", path.id);
+    scene.paths.push(path);
+    scene.aircraft.push(aircraft);
     assert_eq!(check(&scene), []);
     scene
 }

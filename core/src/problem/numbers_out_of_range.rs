@@ -6,7 +6,7 @@
 use super::Problem;
 use crate::color::{Rgb, Rgba};
 use crate::parameter::{self as p, Parameter};
-use crate::scene::{CloudModel, CullRadius, GroupCenter, GroupLight, Scene, Sky, Sun};
+use crate::scene::{CameraPath, CloudModel, CullRadius, Formation, GroupCenter, GroupLight, Scene, Sky, Sun};
 use glam::DVec3;
 use std::fmt::Arguments;
 
@@ -40,6 +40,16 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
         walk.point(format_args!("clouds[{i}].position"), &p::POSITION, cloud.position);
         walk.number(format_args!("clouds[{i}].heading_deg"), &p::HEADING_DEG, cloud.heading_deg);
         walk.number(format_args!("clouds[{i}].scale"), &p::CLOUD_SCALE, cloud.scale);
+        if let Some(formation) = &cloud.formation {
+            walk.formation(format_args!("clouds[{i}].formation"), formation);
+        }
+    }
+    for (i, path) in scene.paths.iter().enumerate() {
+        walk.path(format_args!("paths[{i}]"), path);
+    }
+    for (i, aircraft) in scene.aircraft.iter().enumerate() {
+        walk.number(format_args!("aircraft[{i}].ahead_s"), &p::AIRCRAFT_AHEAD_S, aircraft.ahead_s);
+        walk.number(format_args!("aircraft[{i}].scale"), &p::AIRCRAFT_SCALE, aircraft.scale);
     }
 }
 
@@ -91,6 +101,25 @@ impl Walk<'_> {
         self.number(format_args!("sky.gain"), &p::SKY_GAIN, sky.gain);
         self.number(format_args!("sky.haze_length_m"), &p::HAZE_LENGTH_M, sky.haze_length_m);
         self.number(format_args!("sky.exposure_ev"), &p::EXPOSURE_EV, sky.exposure_ev);
+        self.number(format_args!("sky.inside_density"), &p::INSIDE_DENSITY, sky.inside_density);
+    }
+
+    fn formation(&mut self, place: Arguments<'_>, formation: &Formation) {
+        self.number(format_args!("{place}.start_s"), &p::FORMATION_START_S, formation.start_s);
+        self.number(format_args!("{place}.core_s"), &p::FORMATION_CORE_S, formation.core_s);
+        self.number(format_args!("{place}.edges_s"), &p::FORMATION_EDGES_S, formation.edges_s);
+        self.number(format_args!("{place}.threshold"), &p::FORMATION_THRESHOLD, formation.threshold);
+    }
+
+    fn path(&mut self, place: Arguments<'_>, path: &CameraPath) {
+        self.number(format_args!("{place}.field_of_view_deg"), &p::FIELD_OF_VIEW_DEG, path.field_of_view_deg);
+        for (i, key) in path.keys.iter().enumerate() {
+            self.number(format_args!("{place}.keys[{i}].time_s"), &p::KEY_TIME_S, key.time_s);
+            self.point(format_args!("{place}.keys[{i}].position"), &p::POSITION, key.position);
+            self.number(format_args!("{place}.keys[{i}].heading_deg"), &p::HEADING_DEG, key.heading_deg);
+            self.number(format_args!("{place}.keys[{i}].pitch_deg"), &p::PITCH_DEG, key.pitch_deg);
+            self.number(format_args!("{place}.keys[{i}].roll_deg"), &p::ROLL_DEG, key.roll_deg);
+        }
     }
 
     fn group_light(&mut self, place: Arguments<'_>, light: &GroupLight) {
@@ -156,22 +185,34 @@ impl Walk<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{assert_found, sound_scene};
+    use super::super::{assert_found, scene_with_flight};
     use super::*;
 
     #[test]
     fn refuses() {
         type Break = fn(&mut Scene);
-        let cases: [(Break, &str); 6] = [
+        let cases: [(Break, &str); 12] = [
             (|s| s.time_of_day_h = 24.0, "time_of_day_h"),
             (|s| s.clouds[0].position.y = f64::INFINITY, "clouds[0].position.y"),
             (|s| s.models[0].boxes[0].width[1] = -1.0, "models[0].boxes[0].width[1]"),
             (|s| s.models[0].boxes[0].orientation *= 2.0, "models[0].boxes[0].orientation"),
             (|s| s.models[0].color_levels[2].color.rgb.g = f32::NAN, "models[0].color_levels[2].color.g"),
             (|s| s.models[0].boxes[0].sprite_count = 1_000_000_000, "models[0].boxes[0].sprite_count"),
+            (|s| s.sky.inside_density = -0.1, "sky.inside_density"),
+            (
+                |s| s.clouds[0].formation = Some(Formation { threshold: 0.0, ..Formation::default() }),
+                "clouds[0].formation.threshold",
+            ),
+            (
+                |s| s.clouds[0].formation = Some(Formation { core_s: f64::NAN, ..Formation::default() }),
+                "clouds[0].formation.core_s",
+            ),
+            (|s| s.paths[0].keys[1].position.z = 1e9, "paths[0].keys[1].position.z"),
+            (|s| s.paths[0].keys[1].time_s = 1e5, "paths[0].keys[1].time_s"),
+            (|s| s.aircraft[0].scale = 0.0, "aircraft[0].scale"),
         ];
         for (break_it, place) in cases {
-            let mut scene = sound_scene();
+            let mut scene = scene_with_flight();
             break_it(&mut scene);
             assert_found(&scene, place, "");
         }

@@ -1,6 +1,6 @@
 //! A cloud: a model placed in the scene.
 
-use super::{CloudId, CloudModel, HasId, ModelId};
+use super::{CloudId, CloudModel, Formation, HasId, ModelId};
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -27,6 +27,9 @@ pub struct Cloud {
     /// Sprites of its own instead of those of the model's seed.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub seed: Option<u64>,
+    /// How it comes or goes over time; none: it is whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub formation: Option<Formation>,
 }
 
 fn one() -> f64 {
@@ -36,7 +39,16 @@ fn one() -> f64 {
 impl Cloud {
     /// A placement of `model` under its name, unturned and unscaled.
     pub fn new(id: CloudId, model: &CloudModel, position: DVec3) -> Self {
-        Self { id, name: model.name.clone(), model: model.id, position, heading_deg: 0.0, scale: 1.0, seed: None }
+        Self {
+            id,
+            name: model.name.clone(),
+            model: model.id,
+            position,
+            heading_deg: 0.0,
+            scale: 1.0,
+            seed: None,
+            formation: None,
+        }
     }
 }
 

@@ -1,30 +1,46 @@
-//! A cloud that forms or dissipates, as saved.
+//! How a cloud comes and goes (W): its core first, its edges when the core is dense enough; or backwards.
+//!
+//! Only the terms are saved. What they make of an instant is [`crate::shading`]'s to say, in closed form.
 
+use crate::parameter;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-/// How a cloud comes or goes: its core first and its edges after, or the other way round (W).
+/// A change of a whole cloud over time. What the file leaves out has its default.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, default)]
 pub struct Formation {
-    /// Which way.
+    /// Which way it goes.
     pub change: FormationChange,
-    /// When it begins, seconds of the scene's clock.
+    /// When it begins, seconds since play or flight began.
     pub start_s: f64,
-    /// How long the core takes from clear to solid, seconds.
+    /// How long the core takes from clear to its full opacity, or back, seconds.
     pub core_s: f64,
-    /// How long the edges take to follow, seconds.
+    /// How long the edges take, seconds.
     pub edges_s: f64,
-    /// The core's opacity at which the edges begin.
+    /// The core's opacity at which the edges begin to form, or have gone: 0.01 to 1. W's falloff is ½.
     pub threshold: f64,
 }
 
-/// Whether a cloud comes or goes.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+/// Which way a cloud changes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum FormationChange {
-    /// It comes.
+    /// From nothing to the whole cloud, its core first.
+    #[default]
     Forming,
-    /// It goes.
+    /// From the whole cloud to nothing, its edges first.
     Dissipating,
+}
+
+impl Default for Formation {
+    fn default() -> Self {
+        Self {
+            change: FormationChange::Forming,
+            start_s: parameter::FORMATION_START_S.default,
+            core_s: parameter::FORMATION_CORE_S.default,
+            edges_s: parameter::FORMATION_EDGES_S.default,
+            threshold: parameter::FORMATION_THRESHOLD.default,
+        }
+    }
 }

@@ -63,4 +63,8 @@ ids! {
     GroupId;
     /// A camera.
     CameraId;
+    /// A camera path.
+    PathId;
+    /// An aircraft.
+    AircraftId;
 }

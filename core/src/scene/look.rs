@@ -22,9 +22,17 @@ pub struct Sky {
     pub haze_length_m: f64,
     /// Each step doubles the light.
     pub exposure_ev: f64,
-    /// How dense the air inside a cloud looks: 0 for none, 1 as dense as its sprites.
-    #[serde(default = "one")]
+    /// How dense the air inside a cloud looks: 0 for none, 1 as dense as the cloud's sprites.
+    #[serde(default = "as_its_sprites", skip_serializing_if = "is_as_its_sprites")]
     pub inside_density: f64,
+}
+
+fn as_its_sprites() -> f64 {
+    parameter::INSIDE_DENSITY.default
+}
+
+fn is_as_its_sprites(inside_density: &f64) -> bool {
+    *inside_density == as_its_sprites()
 }
 
 /// A level ground with a landscape's blotches in two colours.
@@ -70,7 +78,7 @@ impl Default for Sky {
             gain: parameter::SKY_GAIN.default,
             haze_length_m: parameter::HAZE_LENGTH_M.default,
             exposure_ev: 0.0,
-            inside_density: 1.0,
+            inside_density: as_its_sprites(),
         }
     }
 }
@@ -79,8 +87,4 @@ impl Default for Ground {
     fn default() -> Self {
         Self { altitude_m: 0.0, dark: Rgb::new(0.035, 0.058, 0.034), bright: Rgb::new(0.125, 0.135, 0.062) }
     }
-}
-
-fn one() -> f64 {
-    1.0
 }

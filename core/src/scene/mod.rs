@@ -1,9 +1,11 @@
-//! What is saved: a scene of cloud models, their placements, light, ground and cameras.
+//! What is saved: a scene of cloud models, their placements, light, ground, cameras and flights.
 //!
 //! Plain values without behaviour; only [`crate::document`] changes a scene that is open. Positions are f64 metres,
 //! right-handed, +y up, x east, −z north. Names of fields are the file's, see [`crate::formats::scene_file`].
 
+mod aircraft;
 mod camera;
+mod camera_path;
 mod category;
 mod cloud;
 mod cloud_box;
@@ -16,14 +18,16 @@ mod model;
 mod shading_group;
 mod sun;
 
+pub use aircraft::Aircraft;
 pub use camera::Camera;
+pub use camera_path::{CameraPath, PathKey};
 pub use category::Category;
 pub use cloud::Cloud;
 pub use cloud_box::{CloudBox, SpriteEdit};
 pub use color_levels::{ColorLevel, ColorLevels};
 pub use daily_table::{DailyKey, DailyTable};
 pub use formation::{Formation, FormationChange};
-pub use ids::{BoxId, CameraId, CloudId, GroupId, HasId, IdCounter, ModelId};
+pub use ids::{AircraftId, BoxId, CameraId, CloudId, GroupId, HasId, IdCounter, ModelId, PathId};
 pub use look::{Ground, Sky};
 pub use model::{CloudModel, CullRadius};
 pub use shading_group::{GroupCenter, GroupLight, ShadingGroup};
@@ -64,6 +68,12 @@ pub struct Scene {
     /// The models' placements.
     #[serde(default)]
     pub clouds: Vec<Cloud>,
+    /// Flights for a camera.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub paths: Vec<CameraPath>,
+    /// Aircraft that fly along the paths.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub aircraft: Vec<Aircraft>,
 }
 
 impl Scene {
@@ -80,6 +90,16 @@ impl Scene {
     /// The camera of that name.
     pub fn camera_named(&self, name: &str) -> Option<&Camera> {
         self.cameras.iter().find(|camera| camera.name == name)
+    }
+
+    /// The path of that id.
+    pub fn path(&self, id: PathId) -> Option<&CameraPath> {
+        self.paths.iter().find(|path| path.id == id)
+    }
+
+    /// The path of that name.
+    pub fn path_named(&self, name: &str) -> Option<&CameraPath> {
+        self.paths.iter().find(|path| path.name == name)
     }
 }
 
@@ -100,6 +120,8 @@ impl Default for Scene {
             cameras: vec![camera],
             models: Vec::new(),
             clouds: Vec::new(),
+            paths: Vec::new(),
+            aircraft: Vec::new(),
         }
     }
 }

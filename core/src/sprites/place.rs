@@ -114,7 +114,7 @@ pub struct PlacedCloud {
     pub top: f32,
     /// Ambient light over the height.
     pub color_levels: ColorLevels,
-    /// How it comes or goes, if it does.
+    /// How it comes or goes over time; none: it is whole.
     pub formation: Option<Formation>,
 }
 
@@ -206,7 +206,7 @@ pub(crate) fn place_watched(
         groups,
         sprites,
         color_levels: model.color_levels,
-        formation: None,
+        formation: cloud.formation,
     }
 }
 

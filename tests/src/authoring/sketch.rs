@@ -2,8 +2,8 @@
 
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::scene::{
-    BoxId, Camera, CameraId, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevels, CullRadius, GroupCenter,
-    GroupLight, ModelId, Scene,
+    BoxId, Camera, CameraId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevels, CullRadius,
+    GroupCenter, GroupLight, ModelId, PathId, PathKey, Scene,
 };
 use glam::{DQuat, DVec3};
 
@@ -84,6 +84,27 @@ impl Sketch {
         self.scene.cameras.push(camera);
     }
 
+    /// A new path whose keys look ahead along it, but for what each adds: seconds, place, and by how many degrees the
+    /// look turns right and up.
+    pub fn path(&mut self, name: &str, field_of_view_deg: f64, keys: &[(f64, DVec3, [f64; 2])]) -> PathId {
+        let id = PathId::new(&mut self.scene.next_id);
+        let round = |x: f64| (x * 10.0).round() / 10.0;
+        let key = |(i, (time_s, position, [right_deg, up_deg])): (usize, &(f64, DVec3, [f64; 2]))| {
+            let (from, to) = (keys[i.saturating_sub(1)].1, keys[(i + 1).min(keys.len() - 1)].1);
+            let way = to - from;
+            PathKey {
+                time_s: *time_s,
+                position: position.round(),
+                heading_deg: round((way.x.atan2(-way.z).to_degrees() + right_deg).rem_euclid(360.0)),
+                pitch_deg: round(way.y.atan2(way.x.hypot(way.z)).to_degrees() + up_deg),
+                roll_deg: 0.0,
+            }
+        };
+        let keys = keys.iter().enumerate().map(key).collect();
+        self.scene.paths.push(CameraPath { id, name: name.into(), field_of_view_deg, keys });
+        id
+    }
+
     /// A new model without boxes; its seed is of the dice.
     pub fn model(&mut self, name: &str, category: Category, cull_share: f64, levels: ColorLevels) -> CloudModel {
         let mut model = CloudModel::new(ModelId::new(&mut self.scene.next_id), name, category);
@@ -142,6 +163,7 @@ impl Sketch {
             heading_deg: heading_deg.round(),
             scale: (scale * 100.0).round() / 100.0,
             seed,
+            formation: None,
         };
         self.scene.clouds.push(cloud);
     }

@@ -183,15 +183,7 @@ fn clouds() -> Scene {
 }
 
 fn cloud(scene: &mut Scene, model: &CloudModel, position: DVec3) -> Cloud {
-    Cloud {
-        id: CloudId::new(&mut scene.next_id),
-        name: model.name.clone(),
-        model: model.id,
-        position,
-        heading_deg: 0.0,
-        scale: 1.0,
-        seed: None,
-    }
+    Cloud::new(CloudId::new(&mut scene.next_id), model, position)
 }
 
 /// `side` × `side` clouds in a field 1,600 m apart before the eye, for benches.

@@ -56,6 +56,16 @@ impl Allowance {
                 }
             }
         }
+        // The veil covers what is wrong behind it, and is stored once more.
+        let veil = [frame.veil.r, frame.veil.g, frame.veil.b, frame.veil.a];
+        if frame.veil.a > 0.0 {
+            for (errors, shown) in errors.iter_mut().zip(&shown) {
+                for c in 0..4 {
+                    let after = veil[c] + (1.0 - veil[3]) * shown[c];
+                    errors[c] = (1.0 - veil[3]) * errors[c] + STORE * after + STORE_LEAST;
+                }
+            }
+        }
         Self { clouds: plain::clouds(frame), errors }
     }
 

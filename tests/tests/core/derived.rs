@@ -2,7 +2,7 @@
 
 use cloudwright_core::derived::{Derived, WorkDone};
 use cloudwright_core::document::{Document, Edit, ListEdit};
-use cloudwright_core::scene::{Cloud, CloudModel, Ground, Scene};
+use cloudwright_core::scene::{Cloud, CloudModel, Formation, Ground, Scene};
 use cloudwright_core::watch::Watch;
 use cloudwright_tests::authoring;
 
@@ -35,7 +35,7 @@ fn what_is_touched_and_nothing_else() {
     let cloud = &scene.clouds[0];
     let edit_cloud = |cloud: Cloud| Edit::Cloud(ListEdit::Replace(cloud));
     let clouds = scene.clouds.len() as u64;
-    let cases: [(&str, Edit, [u64; 3]); 10] = [
+    let cases: [(&str, Edit, [u64; 3]); 11] = [
         ("colour level", edit_model(|m| m.color_levels[1].color.a = 0.5), [0, 0, uses]),
         ("sprite size", edit_model(|m| m.boxes[0].width[1] += 9.0), [uses, uses, 0]),
         ("cull radius", edit_model(|m| m.cull_radius = Default::default()), [uses, uses, 0]),
@@ -44,6 +44,7 @@ fn what_is_touched_and_nothing_else() {
         ("the same again", edit_model(|_| ()), [0, 0, 0]),
         ("place", edit_cloud(Cloud { heading_deg: 77.0, ..cloud.clone() }), [0, 1, 0]),
         ("name", edit_cloud(Cloud { name: "other".into(), ..cloud.clone() }), [0, 0, 1]),
+        ("formation", edit_cloud(Cloud { formation: Some(Formation::default()), ..cloud.clone() }), [0, 0, 1]),
         ("seed", edit_cloud(Cloud { seed: Some(12345), ..cloud.clone() }), [1, 1, 0]),
         ("ground", Edit::Ground(Some(Ground { altitude_m: 5.0, ..Ground::default() })), [0, clouds, 0]),
     ];

@@ -14,6 +14,9 @@ use cloudwright_core::random;
 use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId};
 use glam::DVec3;
 
+/// A copied aircraft follows its original by this, seconds: some lengths of an aircraft at its usual speed.
+const ASTERN_S: f64 = 0.5;
+
 impl Editor {
     /// One undo point; what it made is selected. Where nothing is made, the selection stays.
     pub(super) fn arrange(&mut self, command: Command, arrangement: Arrangement) {
@@ -52,6 +55,14 @@ impl Editor {
             Some(Item::Camera(_)) => {
                 let ids: Vec<_> = selection.cameras().collect();
                 duplicate::cameras(scene, &ids, DVec3::ZERO)
+            }
+            Some(Item::Path(_)) => {
+                let ids: Vec<_> = selection.paths().collect();
+                duplicate::paths(scene, &ids, DVec3::ZERO)
+            }
+            Some(Item::Aircraft(_)) => {
+                let ids: Vec<_> = selection.aircraft().collect();
+                duplicate::aircraft(scene, &ids, ASTERN_S)
             }
             _ => return,
         };

@@ -98,7 +98,9 @@ impl Editor {
                 boxes > 0 || selection.sprites().next().is_some()
             }
             Command::Solo => clouds > 0 || !self.view.solo.is_empty(),
-            Command::Duplicate => matches!(selection.primary(), Some(Item::Box(..) | Item::Cloud(_) | Item::Camera(_))),
+            Command::Duplicate => {
+                !matches!(selection.primary(), None | Some(Item::Model(_) | Item::Group(..) | Item::Sprite(..)))
+            }
             Command::Delete | Command::Hide | Command::Lock => !selection.is_empty(),
             Command::SelectNone | Command::FrameSelection => !selection.is_empty(),
             Command::FrameAll => !self.session.derived().clouds().is_empty(),

@@ -17,15 +17,7 @@ fn scene() -> Scene {
     for name in ["large", "small"] {
         let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), name, Category::CumulusHumilis);
         model.boxes.push(CloudBox::new(BoxId::new(&mut scene.next_id), DVec3::ZERO));
-        scene.clouds.push(Cloud {
-            id: CloudId::new(&mut scene.next_id),
-            name: name.into(),
-            model: model.id,
-            position: DVec3::Y * 1000.0,
-            heading_deg: 0.0,
-            scale: 1.0,
-            seed: None,
-        });
+        scene.clouds.push(Cloud::new(CloudId::new(&mut scene.next_id), &model, DVec3::Y * 1000.0));
         scene.models.push(model);
     }
     scene

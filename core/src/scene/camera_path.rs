@@ -1,0 +1,62 @@
+//! A camera's flight: where it is and where it looks at given times. Between the keys runs [`crate::flight::PathCurve`].
+
+use super::{HasId, IdCounter, PathId};
+use crate::parameter;
+use glam::DVec3;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A way through the scene with a name.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CameraPath {
+    /// Its id.
+    pub id: PathId,
+    /// What the command line calls it.
+    pub name: String,
+    /// Vertical field of view.
+    pub field_of_view_deg: f64,
+    /// At least one, in rising order of time (the checks see to it).
+    pub keys: Vec<PathKey>,
+}
+
+/// A moment of a flight.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PathKey {
+    /// Seconds. The flight begins at its first key, whatever that one's time is.
+    pub time_s: f64,
+    /// The eye, metres in the world.
+    #[schemars(with = "[f64; 3]")]
+    pub position: DVec3,
+    /// Clockwise from north, seen from above.
+    pub heading_deg: f64,
+    /// Up is positive.
+    pub pitch_deg: f64,
+    /// Right wing down is positive.
+    #[serde(default, skip_serializing_if = "is_level")]
+    pub roll_deg: f64,
+}
+
+fn is_level(roll_deg: &f64) -> bool {
+    *roll_deg == 0.0
+}
+
+impl CameraPath {
+    /// A path with a camera's usual field of view.
+    pub fn new(id: PathId, name: &str, keys: Vec<PathKey>) -> Self {
+        Self { id, name: name.into(), field_of_view_deg: parameter::FIELD_OF_VIEW_DEG.default, keys }
+    }
+
+    /// A path that has no id because it is in no scene: one that is being recorded.
+    pub fn free(keys: Vec<PathKey>) -> Self {
+        Self::new(PathId::new(&mut IdCounter(0)), "path", keys)
+    }
+}
+
+impl HasId for CameraPath {
+    type Id = PathId;
+    fn id(&self) -> PathId {
+        self.id
+    }
+}
