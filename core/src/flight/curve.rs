@@ -111,8 +111,8 @@ impl PathCurve {
         let last = self.slopes.len().checked_sub(2)?;
         let leg = self.times.partition_point(|time| *time <= t_s).saturating_sub(1).min(last);
         let u = (t_s - self.times[leg]) / (self.times[leg + 1] - self.times[leg]);
-        // The largest and least of two numbers, so that NaN is the start.
-        Some((leg, u.max(0.0).min(1.0)))
+        // What is no number is the start.
+        Some((leg, if u > 0.0 { u.min(1.0) } else { 0.0 }))
     }
 
     fn piece(&self, leg: usize, which: usize) -> Piece {

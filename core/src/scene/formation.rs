@@ -1,6 +1,6 @@
 //! How a cloud comes and goes (W): its core first, its edges when the core is dense enough; or backwards.
 //!
-//! Only the terms are saved. What they make of an instant is [`crate::shading`]'s to say, in closed form.
+//! Only the terms are saved; what they make of the cloud at an instant follows from them in closed form.
 
 use crate::parameter;
 use schemars::JsonSchema;

@@ -2,7 +2,7 @@
 
 use super::Sketch;
 use super::cumulus::{Cumulus, cumulus};
-use cloudwright_core::scene::{Category, Scene};
+use cloudwright_core::scene::{Aircraft, AircraftId, Category, Scene};
 use glam::DVec3;
 
 pub(super) fn scene() -> Scene {
@@ -69,7 +69,23 @@ pub(super) fn scene() -> Scene {
     sketch.camera("beneath", DVec3::new(900.0, 500.0, 900.0), DVec3::new(-300.0, 1100.0, -900.0), 60.0);
     sketch.camera("above", DVec3::new(-1500.0, 3000.0, 3600.0), DVec3::new(300.0, 1150.0, -2500.0), 50.0);
     sketch.camera("abreast", DVec3::new(-3300.0, 1450.0, -200.0), DVec3::new(400.0, 1500.0, -2100.0), 45.0);
+    through(&mut sketch);
     sketch.scene
+}
+
+/// From the south through the middle of the towering cloud and out, at 95 to 107 m/s and climbing a little, behind an
+/// aircraft that is 40 m ahead.
+fn through(sketch: &mut Sketch) {
+    let keys = [
+        (0.0, DVec3::new(240.0, 1430.0, -1010.0), [2.0, 1.0]),
+        (3.0, DVec3::new(280.0, 1450.0, -1292.0), [-3.0, 2.0]),
+        (6.0, DVec3::new(330.0, 1480.0, -1590.0), [3.0, 0.0]),
+        (9.0, DVec3::new(375.0, 1510.0, -1900.0), [-2.0, -2.0]),
+        (12.0, DVec3::new(400.0, 1530.0, -2220.0), [0.0, -1.0]),
+    ];
+    let path = sketch.path("through", 55.0, &keys);
+    let id = AircraftId::new(&mut sketch.scene.next_id);
+    sketch.scene.aircraft.push(Aircraft { ahead_s: 0.4, ..Aircraft::new(id, "leader", path) });
 }
 
 /// A kind of heap: half extent of the base, height, number of heaps and their half width, peak, wisps.

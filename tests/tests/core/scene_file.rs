@@ -2,6 +2,7 @@
 
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::Severity;
+use cloudwright_core::scene::{Aircraft, AircraftId, Formation, FormationChange, PathId};
 use cloudwright_tests::small_scenes::heap;
 use proptest::prelude::*;
 
@@ -73,4 +74,26 @@ fn round_trips_byte_for_byte() {
     let scene = scene_file::read(text.as_bytes()).expect("sound");
     assert_eq!(scene_file::write(&scene).expect("finite"), text);
     assert_eq!(scene, heap(20));
+}
+
+#[test]
+fn what_flights_leave_out_has_its_default() {
+    let mut json: serde_json::Value = serde_json::from_str(&good()).expect("JSON");
+    let scene = &mut json["scene"];
+    scene["next_id"] = 100.into();
+    scene["clouds"][0]["formation"] = serde_json::json!({ "change": "dissipating", "core_s": 5 });
+    let key =
+        |time_s| serde_json::json!({ "time_s": time_s, "position": [0, 500, 0], "heading_deg": 0, "pitch_deg": 0 });
+    scene["paths"] =
+        serde_json::json!([{ "id": 50, "name": "through", "field_of_view_deg": 50, "keys": [key(0), key(9)] }]);
+    scene["aircraft"] = serde_json::json!([{ "id": 51, "name": "leader", "path": 50 }]);
+    let scene = scene_file::read(json.to_string().as_bytes()).expect("sound");
+    let change = FormationChange::Dissipating;
+    assert_eq!(scene.clouds[0].formation, Some(Formation { change, core_s: 5.0, ..Formation::default() }));
+    assert_eq!(scene.paths[0].keys[1].roll_deg, 0.0);
+    assert_eq!(scene.aircraft, [Aircraft::new(AircraftId(51), "leader", PathId(50))]);
+    assert_eq!(scene.sky.inside_density, 1.0);
+    let text = scene_file::write(&scene).expect("finite");
+    assert!(!text.contains("inside_density"), "the default is not written");
+    assert_eq!(scene_file::read(text.as_bytes()), Ok(scene));
 }
