@@ -1,0 +1,74 @@
+//! A flight along a path, seen from the cockpit: the camera at any time, and what the view has seen on its way there.
+//!
+//! The history is made in steps of 1/60 s from the path's start, whatever is asked for: frame 4,711 is the same whether it
+//! is drawn alone or in a sequence, at any frame rate (MODEL §4). Going on costs the steps between; going back starts
+//! from the nearest earlier state kept, one for every ten seconds flown.
+
+use super::PathCurve;
+use crate::camera::View;
+use crate::derived::Derived;
+use crate::draw_list::Sorting;
+use crate::facing::FacingRule;
+use crate::scene::{Camera, CameraPath};
+use crate::version::Version;
+use crate::view_history::{STEP_S, ViewHistory};
+
+/// Steps between two states that are kept: ten seconds.
+const KEPT_EVERY: usize = 600;
+
+/// A view's way along a path.
+#[derive(Debug, Clone)]
+pub struct Playback {
+    curve: PathCurve,
+    fresh: ViewHistory,
+    /// Of the clouds that it flies through.
+    version: Option<Version>,
+    /// The history after `steps` steps; the first is at the path's start.
+    history: ViewHistory,
+    steps: usize,
+    /// After 1, 601, 1201, … steps.
+    kept: Vec<ViewHistory>,
+}
+
+impl Playback {
+    /// At the start of `path`.
+    pub fn new(path: &CameraPath, rule: FacingRule, sorting: Sorting) -> Self {
+        let fresh = ViewHistory::new(rule, sorting);
+        let history = fresh.clone();
+        Self { curve: PathCurve::new(path), fresh, version: None, history, steps: 0, kept: Vec::new() }
+    }
+
+    /// From the path's first key to its last, seconds.
+    pub fn duration_s(&self) -> f64 {
+        self.curve.duration_s()
+    }
+
+    /// The camera `t_s` seconds from the start, and the history as of the last step not after that. Times beyond the
+    /// path's ends are its ends.
+    pub fn seek(&mut self, derived: &Derived, t_s: f64) -> (Camera, &ViewHistory) {
+        let t_s = if t_s.is_finite() { t_s.clamp(0.0, self.duration_s()) } else { 0.0 };
+        // A frame's time in f64 may lie a rounding before the step that it stands for.
+        let wanted = libm::floor(t_s / STEP_S + 1e-6) as usize + 1;
+        if self.version != Some(derived.version()) {
+            (self.version, self.steps, self.history) = (Some(derived.version()), 0, self.fresh.clone());
+            self.kept.clear();
+        }
+        let nearest = ((wanted - 1) / KEPT_EVERY).min(self.kept.len().saturating_sub(1));
+        let from_kept = nearest * KEPT_EVERY + 1;
+        if self.steps > wanted || (self.steps < from_kept && nearest < self.kept.len()) {
+            (self.steps, self.history) = match self.kept.get(nearest) {
+                Some(kept) => (from_kept, kept.clone()),
+                None => (0, self.fresh.clone()),
+            };
+        }
+        while self.steps < wanted {
+            let view = View::new(&self.curve.camera_at(self.steps as f64 * STEP_S), 1, 1);
+            self.history.step(derived, &view);
+            if self.steps.is_multiple_of(KEPT_EVERY) && self.kept.len() == self.steps / KEPT_EVERY {
+                self.kept.push(self.history.clone());
+            }
+            self.steps += 1;
+        }
+        (self.curve.camera_at(t_s), &self.history)
+    }
+}
