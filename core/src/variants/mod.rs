@@ -2,9 +2,12 @@
 //!
 //! Each stands where the shipped way stands ([`crate::facing::FacingRule`], [`crate::draw_list::Sorting`]) or beside it.
 
+pub mod eight_bits;
 mod facing;
 mod sorting;
+mod stepped_fade;
 
 pub use facing::FacingVariant;
 pub use sorting::LazySorting;
 pub(crate) use sorting::LazyState;
+pub use stepped_fade::{Listing, SteppedFade};
