@@ -4,6 +4,7 @@ pub mod atlas;
 pub mod authoring;
 pub mod gpu;
 pub mod small_scenes;
+pub mod stability;
 
 use std::path::PathBuf;
 

@@ -34,6 +34,7 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
 }
 
 fn stored(color: Rgb) -> Rgb {
-    let store = |linear: f32| linear_from_srgb((srgb_from_linear(linear.clamp(0.0, 1.0)) * 255.0 + 0.5).floor() / 255.0);
+    let store =
+        |linear: f32| linear_from_srgb((srgb_from_linear(linear.clamp(0.0, 1.0)) * 255.0 + 0.5).floor() / 255.0);
     Rgb::new(store(color.r), store(color.g), store(color.b))
 }

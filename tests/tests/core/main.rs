@@ -5,6 +5,7 @@ mod assets;
 mod derived;
 mod draw_list;
 mod export;
+mod flight;
 mod overdraw;
 mod raster;
 mod scene_file;
