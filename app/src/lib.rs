@@ -15,6 +15,7 @@ pub mod saving;
 pub mod storage;
 mod theme;
 pub mod thumbnail;
+pub mod units;
 mod viewport;
 pub mod worker;
 

@@ -164,6 +164,7 @@ commands! {
         SpriteMarks: "Mark sprites", "Mark sprites with dots, with outlines, or not at all.", key(Key::M), Some(icon::DOTS_THREE);
         GroupView: "Group view", "Show boxes and sprites in the tints of their shading groups.", key(Key::G), Some(icon::PAINT_BUCKET);
         SwitchTheme: "Dark or light", "Switch between the dark and the light look.", NONE, Some(icon::CIRCLE_HALF_TILT);
+        SwitchUnits: "Metric or aviation units", "Show altitudes and speeds in metres and km/h, or in feet and knots.", NONE, None;
         Palette: "Command palette…", "Find any command by typing.", ctrl_shift(Key::P), Some(icon::MAGNIFYING_GLASS);
     }
     Tool {

@@ -31,7 +31,7 @@ pub use selection::{Choose, Item, Selection};
 pub(crate) use selection::{aircraft_of, box_of, camera_of, group_of};
 pub use session::{Pending, Session};
 pub(crate) use starter::scene as starter_scene;
-pub(crate) use time_play::TimePlay;
+pub(crate) use time_play::{MAX_STEP_S, TimePlay};
 pub use view::{Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
@@ -42,7 +42,7 @@ use crate::storage::Folders;
 use crate::theme;
 use crate::thumbnail::Thumbnails;
 use crate::viewport::Viewport;
-use cloudwright_core::scene::{CameraId, ColorLevels};
+use cloudwright_core::scene::{Camera, CameraId, ColorLevels};
 use desk::Desk;
 use dialogs::Dialogs;
 use eframe::egui_wgpu::RenderState;
@@ -143,6 +143,11 @@ impl Editor {
         &self.view
     }
 
+    /// Where it is looked at from.
+    pub fn camera(&self) -> &Camera {
+        self.viewport.camera()
+    }
+
     /// What is selected.
     pub fn selection(&self) -> &Selection {
         &self.view.selection
@@ -216,6 +221,7 @@ impl Editor {
             copied_levels: copied_levels.as_ref(),
             view_heading_deg: viewport.camera().heading_deg,
             levels_shown: layout.shows(Panel::ColorLevels),
+            units: desk.settings().units,
         };
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
             panel::status(ui, &reading, viewport, desk.saving, &mut actions);
@@ -249,7 +255,8 @@ impl eframe::App for Editor {
         self.drop_gesture_on_escape(&context);
         self.run_time(&context);
         let mut actions: Vec<Action> = Vec::new();
-        if !self.dialogs.is_open() && self.palette.is_none() && self.place_many.is_none() {
+        let asks = self.dialogs.is_open() || self.palette.is_some() || self.place_many.is_some();
+        if !asks && !self.viewport.has_keys() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
         actions.extend(self.panels(ui));

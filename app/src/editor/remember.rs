@@ -1,4 +1,4 @@
-//! What the editor remembers for the next start: look, window, last scenes. The next start reads it in `Editor::new`.
+//! What the editor remembers for the next start: look, units, window, last scenes. The next start reads it in `Editor::new`.
 
 use super::Editor;
 use super::desk::Done;
@@ -43,6 +43,12 @@ impl Editor {
             }
             self.desk.window_size = size;
         }
+    }
+
+    /// From metric units to those of aviation and back.
+    pub(super) fn switch_units(&mut self) {
+        let units = self.desk.settings().units.other();
+        self.desk.remember(move |settings| settings.units = units);
     }
 
     /// Shows the last scenes, when it is known which are still there.

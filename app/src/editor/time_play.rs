@@ -6,8 +6,8 @@
 use super::Editor;
 use cloudwright_core::document::Edit;
 
-/// Seconds that one frame may move it on: after a stall it goes on where it was, and doesn't jump.
-const MAX_STEP_S: f64 = 0.25;
+/// Seconds that one frame may move on what runs by the clock: after a stall it goes on where it was, and doesn't jump.
+pub(crate) const MAX_STEP_S: f64 = 0.25;
 
 /// Whether time runs, and how fast.
 #[derive(Debug, Clone, Copy)]
@@ -72,7 +72,7 @@ impl Editor {
         if !self.time_play.is_on() {
             return;
         }
-        if context.input(|input| input.key_pressed(egui::Key::Escape)) {
+        if context.input(|input| input.key_pressed(egui::Key::Escape)) && !self.viewport.has_keys() {
             self.time_play.drop_hour();
             return;
         }

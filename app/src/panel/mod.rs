@@ -36,6 +36,7 @@ pub(crate) use status::status;
 use crate::editor::{Action, Session, TimePlay, ViewState};
 use crate::theme::icon;
 use crate::thumbnail::Thumbnails;
+use crate::units::Units;
 use cloudwright_core::scene::ColorLevels;
 use egui::Ui;
 use serde::{Deserialize, Serialize};
@@ -80,6 +81,8 @@ pub(crate) struct Reading<'a> {
     pub(crate) view_heading_deg: f64,
     /// Whether the panel of colour levels is on the screen.
     pub(crate) levels_shown: bool,
+    /// What altitudes and speeds are shown in.
+    pub(crate) units: Units,
 }
 
 impl Reading<'_> {

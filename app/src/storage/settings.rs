@@ -4,6 +4,7 @@
 //! editors may run at once, so a change is made to what is on disk at that moment, not to what was read at the start.
 
 use super::{Folders, StorageError, read, write_atomic};
+use crate::units::Units;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use std::fs;
@@ -23,6 +24,8 @@ pub struct Settings {
     recent: Vec<PathBuf>,
     /// Dark or light.
     pub theme: ThemeChoice,
+    /// What altitudes and speeds are shown in.
+    pub units: Units,
     /// How panels are docked, as the window's layout itself says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub layout: Option<Value>,
@@ -46,7 +49,14 @@ pub enum ThemeChoice {
 
 impl Default for Settings {
     fn default() -> Self {
-        Self { version: VERSION, recent: Vec::new(), theme: ThemeChoice::default(), layout: None, window_size: None }
+        Self {
+            version: VERSION,
+            recent: Vec::new(),
+            theme: ThemeChoice::default(),
+            units: Units::default(),
+            layout: None,
+            window_size: None,
+        }
     }
 }
 

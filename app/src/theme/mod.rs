@@ -50,6 +50,10 @@ pub(crate) const CURVE_HEIGHT: f32 = 132.0;
 pub(crate) const SMALL_TEXT: f32 = 11.0;
 /// Around marks in the viewport.
 pub(crate) const VIEWPORT_MARGIN: f32 = 10.0;
+/// Of instruments in the viewport, points.
+pub(crate) const HUD_TEXT: f32 = 15.0;
+/// From the viewport's lower rim to the instruments, points: the hints stand below.
+pub(crate) const HUD_HEIGHT: f32 = 40.0;
 
 /// Of a ready-made cloud in its gallery, points.
 pub(crate) const PRESET_PICTURE: Vec2 = vec2(192.0, 120.0);
@@ -123,6 +127,8 @@ pub(crate) const NOW: Color32 = Color32::from_rgb(232, 48, 58);
 pub(crate) const VIEWPORT_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 110);
 /// Text in the viewport, on that shade.
 pub(crate) const VIEWPORT_TEXT: Color32 = Color32::from_gray(235);
+/// Behind instruments in the viewport, which must be read at a glance before a white cloud too.
+pub(crate) const HUD_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 170);
 
 const ACCENT_DARK: Color32 = Color32::from_rgb(52, 96, 148);
 const ACCENT_LIGHT: Color32 = Color32::from_rgb(168, 205, 240);

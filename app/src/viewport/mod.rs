@@ -2,13 +2,15 @@
 //!
 //! The camera here is the editor's own; a saved camera changes only when the user says so. The picture comes from
 //! [`picture`], which draws off the frame; boxes, marks and handles are painted over it at once. The primary button
-//! belongs to the tool, the others move the view ([`steer`]).
+//! belongs to the tool, the middle one turns and moves the view ([`steer`]), the right one flies ([`pilot`]).
 
 mod bounds;
 mod box_tool;
 mod cameras;
 mod faces;
+mod fly;
 mod gizmo;
+mod hud;
 mod level_handles;
 mod marks;
 mod marquee;
@@ -16,6 +18,7 @@ mod navigation;
 mod overlay;
 mod pick;
 mod picture;
+mod pilot;
 mod plane;
 mod screen;
 mod steer;
@@ -38,12 +41,14 @@ use marquee::Marquee;
 use navigation::Navigation;
 use pick::{Clicks, Picked};
 use picture::{PictureSource, Shot};
+use pilot::Pilot;
 use screen::Screen;
 use std::time::Duration;
 
 /// How the scene is looked at.
 pub(crate) struct Viewport {
     navigation: Navigation,
+    pilot: Pilot,
     picture: PictureSource,
     marks: Marks,
     clicks: Clicks,
@@ -63,6 +68,7 @@ impl Viewport {
     ) -> Self {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
+            pilot: Pilot::default(),
             picture: PictureSource::new(context, choice, device),
             marks: Marks::default(),
             clicks: Clicks::default(),
@@ -91,12 +97,14 @@ impl Viewport {
             f64::from(view.depth(center))
         });
         let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
+        self.pilot.stop();
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
 
     /// Brings a selection into view; all clouds for nothing.
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = bounds::bounds(selection, session) {
+            self.pilot.stop();
             self.navigation.frame(center, radius);
         }
     }
@@ -131,13 +139,21 @@ impl Viewport {
         self.box_tool.holds_gesture()
     }
 
+    /// Whether keys steer a flight and are no commands.
+    pub(crate) fn has_keys(&self) -> bool {
+        self.pilot.has_keys()
+    }
+
     pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
         ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Viewport"));
         if response.clicked() || response.drag_started() {
             response.request_focus();
         }
-        if !self.gizmo.is_held() && !self.marquee.is_on() {
+        let is_free = !self.gizmo.is_held() && !self.marquee.is_on();
+        let may_fly = is_free && !self.holds_gesture();
+        self.pilot.fly(&mut self.navigation, ui, &response, may_fly);
+        if is_free && !self.pilot.is_held() {
             let screen = Screen::new(self.camera(), rect);
             steer::steer(&mut self.navigation, ui, &response, &screen, reading);
         }
@@ -149,14 +165,21 @@ impl Viewport {
         cameras::paint(&painter, &screen, reading);
         self.work(ui, &response, &painter, &screen, reading, actions);
         level_handles::show(ui, rect, &screen.view, reading, actions);
-        overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
+        if self.pilot.is_held() {
+            overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.pilot.speed_m_s()));
+        } else {
+            overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
+        }
+        if let Some(readout) = self.pilot.readout(&self.navigation) {
+            readout.show(ui, rect, reading.units);
+        }
         overlay::show(ui, rect, reading, actions);
     }
 
     fn paint_picture(&mut self, ui: &Ui, response: &Response, painter: &Painter, reading: &Reading<'_>) {
         let session = reading.session;
-        let quick =
-            (response.dragged() && !self.marquee.is_on()) || session.document().is_open() || reading.time_play.is_on();
+        let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
+        let quick = by_hand || session.document().is_open() || reading.time_play.is_on();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round();
         let size = [pixels.x as u32, pixels.y as u32];
         let hidden = reading.view.hidden_in(session.scene());

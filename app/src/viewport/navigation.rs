@@ -4,7 +4,7 @@ use cloudwright_core::camera::View;
 use cloudwright_core::parameter;
 use cloudwright_core::scene::Camera;
 use egui::Vec2;
-use glam::{DVec3, Vec3};
+use glam::{DVec2, DVec3, Vec3};
 
 /// Of turn a point of dragging.
 const DEG_PER_POINT: f64 = 0.3;
@@ -49,11 +49,20 @@ impl Navigation {
             return;
         }
         let pivot = self.pivot();
-        let heading = self.camera.heading_deg + f64::from(points.x) * DEG_PER_POINT;
-        self.camera.heading_deg = (heading + 180.0).rem_euclid(360.0) - 180.0;
-        let pitch = self.camera.pitch_deg - f64::from(points.y) * DEG_PER_POINT;
-        self.camera.pitch_deg = pitch.clamp(-MAX_PITCH_DEG, MAX_PITCH_DEG);
+        self.turn_head(DVec2::new(f64::from(points.x), f64::from(-points.y)) * DEG_PER_POINT);
         self.stand_at(pivot - self.forward() * self.distance_m);
+    }
+
+    /// Turns the head by heading and pitch: the eye stays, and the pivot goes with the look.
+    pub(super) fn turn_head(&mut self, deg: DVec2) {
+        let heading = self.camera.heading_deg + deg.x;
+        self.camera.heading_deg = (heading + 180.0).rem_euclid(360.0) - 180.0;
+        self.camera.pitch_deg = (self.camera.pitch_deg + deg.y).clamp(-MAX_PITCH_DEG, MAX_PITCH_DEG);
+    }
+
+    /// Moves the eye, and the pivot with it.
+    pub(super) fn fly(&mut self, way_m: DVec3) {
+        self.stand_at(self.camera.position + way_m);
     }
 
     /// Moves along the picture, so that the pivot's plane follows the pointer.

@@ -118,9 +118,19 @@ pub(super) fn hint(painter: &Painter, rect: Rect, tool: Tool, drawing: bool) {
         (Tool::Box, false) => "drag: footprint   Enter: box in the middle   Ctrl: snap",
         (Tool::Box, true) => "pull the height   click or Enter: done   Esc: drop",
     };
-    let text = format!("{tool}   middle or Alt drag: turn   right drag: move   wheel: nearer");
+    let text = format!("{tool}   middle or Alt drag: turn, with Shift: move   hold right: fly   wheel: nearer");
+    at_the_foot(painter, rect, &text);
+}
+
+/// What the hands do while they fly.
+pub(super) fn flying_hint(painter: &Painter, rect: Rect, speed: &str) {
+    let text = format!("W S A D: fly   E Q: up, down   wheel: {speed}   Shift: fast   Ctrl: slow   Esc: stop");
+    at_the_foot(painter, rect, &text);
+}
+
+fn at_the_foot(painter: &Painter, rect: Rect, text: &str) {
     let at = rect.left_bottom() + vec2(theme::VIEWPORT_MARGIN, -theme::VIEWPORT_MARGIN);
-    text_on_shade(painter, at, Align2::LEFT_BOTTOM, &text);
+    text_on_shade(painter, at, Align2::LEFT_BOTTOM, text);
 }
 
 /// Words at a place in the picture, their upper left corner.

@@ -1,7 +1,7 @@
 //! The hands that move the view: buttons, wheel and keys to [`Navigation`].
 //!
-//! As level editors have it: the middle button (or Alt and the primary one) turns, the right one (or Shift and the
-//! middle one) moves, the wheel goes nearer. The primary button alone belongs to the tools.
+//! As level editors have it: the middle button (or Alt and the primary one) turns, and moves with Shift; the wheel goes
+//! nearer. The primary button alone belongs to the tools, the right one to the [pilot](super::pilot).
 
 use super::navigation::Navigation;
 use super::pick;
@@ -18,7 +18,7 @@ pub(super) fn steer(navigation: &mut Navigation, ui: &Ui, response: &Response, s
     let by = |button| response.dragged_by(button);
     let moved = response.drag_delta();
     let turns = by(PointerButton::Middle) || (modifiers.alt && by(PointerButton::Primary));
-    if by(PointerButton::Secondary) || (modifiers.shift && turns) {
+    if modifiers.shift && turns {
         navigation.pan(moved, &screen.view);
     } else if turns {
         navigation.orbit(moved);

@@ -9,6 +9,7 @@ mod colors;
 mod drawing_boxes;
 mod editing;
 mod files;
+mod flying;
 mod gallery;
 mod groups;
 mod off_frame;

@@ -53,7 +53,7 @@ fn what_takes_long_can_be_cancelled() {
 }
 
 /// No repaint asked for, no picture drawn.
-fn is_idle(window: &Window) -> bool {
+pub(crate) fn is_idle(window: &Window) -> bool {
     let output = window.harness.output();
     let delay = output.viewport_output.get(&ViewportId::ROOT).map(|viewport| viewport.repaint_delay);
     delay == Some(Duration::MAX) && output.textures_delta.set.is_empty()

@@ -41,7 +41,8 @@ fn turning_the_view_is_no_change() {
         (PointerButton::Middle, none, true, true),
         (PointerButton::Primary, alt, true, true),
         (PointerButton::Middle, shift, false, true),
-        (PointerButton::Secondary, none, false, true),
+        (PointerButton::Primary, alt | shift, false, true),
+        (PointerButton::Secondary, none, true, false),
         (PointerButton::Primary, none, false, false),
     ] {
         window.press("Cameras");

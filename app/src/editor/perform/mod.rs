@@ -179,6 +179,7 @@ impl Editor {
             Command::SpriteMarks => self.view.sprite_marks = self.view.sprite_marks.next(),
             Command::GroupView => self.view.group_view ^= true,
             Command::SwitchTheme => crate::theme::switch(context),
+            Command::SwitchUnits => self.switch_units(),
             Command::Palette => self.palette = Some(Default::default()),
             Command::SelectTool => self.view.tool = Tool::Select,
             Command::MoveTool => self.view.tool = Tool::Move,

@@ -1,0 +1,143 @@
+//! The units on the screen: metric ones, or those of aviation.
+//!
+//! Scene, code and files are metres and seconds throughout; only here they become feet and knots. Both are exact by
+//! definition: the international foot of 1959, and the nautical mile an hour.
+
+use serde::{Deserialize, Serialize};
+
+/// Between thousands: a narrow space that no line is broken at.
+const THIN_SPACE: char = '\u{202F}';
+
+/// What altitudes and speeds are shown in.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Units {
+    /// Metres and kilometres an hour.
+    #[default]
+    Metric,
+    /// Feet and knots.
+    Aviation,
+}
+
+/// One unit of a quantity.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Unit {
+    /// As it stands behind a number.
+    pub name: &'static str,
+    /// Metres, or metres a second.
+    size: f64,
+    /// What shown numbers are rounded to.
+    step: f64,
+}
+
+const METRE: Unit = Unit { name: "m", size: 1.0, step: 1.0 };
+/// Altimeters don't show single feet either.
+const FOOT: Unit = Unit { name: "ft", size: 0.3048, step: 10.0 };
+const KILOMETRE_AN_HOUR: Unit = Unit { name: "km/h", size: 1000.0 / 3600.0, step: 1.0 };
+const KNOT: Unit = Unit { name: "kt", size: 1852.0 / 3600.0, step: 1.0 };
+
+impl Units {
+    /// The ones that these are switched to.
+    pub fn other(self) -> Self {
+        match self {
+            Self::Metric => Self::Aviation,
+            Self::Aviation => Self::Metric,
+        }
+    }
+
+    /// Of altitudes, which are metres elsewhere.
+    pub fn altitude(self) -> Unit {
+        match self {
+            Self::Metric => METRE,
+            Self::Aviation => FOOT,
+        }
+    }
+
+    /// Of speeds, which are metres a second elsewhere.
+    pub fn speed(self) -> Unit {
+        match self {
+            Self::Metric => KILOMETRE_AN_HOUR,
+            Self::Aviation => KNOT,
+        }
+    }
+}
+
+impl Unit {
+    /// How many of this unit `si` metres, or metres a second, are.
+    pub fn from_si(self, si: f64) -> f64 {
+        si / self.size
+    }
+
+    /// The metres, or metres a second, that `count` of this unit are.
+    pub fn to_si(self, count: f64) -> f64 {
+        count * self.size
+    }
+
+    /// `si` metres, or metres a second, rounded and with this unit's name: "4 310 ft".
+    pub fn text(self, si: f64) -> String {
+        let rounded = (self.from_si(si) / self.step).round() * self.step;
+        format!("{} {}", grouped(rounded), self.name)
+    }
+}
+
+/// A heading clockwise from north as pilots say it: three figures, and 360 for north.
+pub fn heading(degrees: f64) -> String {
+    let rounded = degrees.rem_euclid(360.0).round();
+    format!("{:03.0}°", if rounded == 0.0 { 360.0 } else { rounded })
+}
+
+/// A whole number with its thousands apart.
+fn grouped(whole: f64) -> String {
+    let figures = format!("{:.0}", whole.abs());
+    let mut text = String::from(if whole < 0.0 { "−" } else { "" });
+    for (i, figure) in figures.chars().enumerate() {
+        if i > 0 && (figures.len() - i).is_multiple_of(3) {
+            text.push(THIN_SPACE);
+        }
+        text.push(figure);
+    }
+    text
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_foot_and_a_knot_are_exact() {
+        let aviation = Units::Aviation;
+        for (unit, count, si) in [
+            (aviation.altitude(), 1.0, 0.3048),
+            (aviation.altitude(), 10_000.0, 3048.0),
+            (aviation.speed(), 3600.0, 1852.0),
+            (Units::Metric.speed(), 3.6, 1.0),
+            (Units::Metric.altitude(), 1234.5, 1234.5),
+        ] {
+            // Two roundings of f64.
+            let tolerance = si * 4.0 * f64::EPSILON;
+            assert!((unit.to_si(count) - si).abs() <= tolerance, "{count} {}", unit.name);
+            assert!((unit.to_si(unit.from_si(si)) - si).abs() <= tolerance, "{si} as {}", unit.name);
+        }
+        assert_eq!(aviation.other().other(), aviation);
+    }
+
+    #[test]
+    fn numbers_read_as_on_an_instrument() {
+        let [metric, aviation] = [Units::Metric, Units::Aviation];
+        for (text, wanted) in [
+            (aviation.altitude().text(1313.0), "4\u{202F}310 ft"),
+            (aviation.altitude().text(-1.0), "0 ft"),
+            (metric.altitude().text(999.6), "1\u{202F}000 m"),
+            (metric.altitude().text(-1_234_567.0), "−1\u{202F}234\u{202F}567 m"),
+            (metric.altitude().text(0.0), "0 m"),
+            (metric.speed().text(60.0), "216 km/h"),
+            (aviation.speed().text(60.0), "117 kt"),
+            (heading(42.4), "042°"),
+            (heading(-90.0), "270°"),
+            (heading(359.7), "360°"),
+            (heading(0.2), "360°"),
+        ] {
+            assert_eq!(text, wanted);
+        }
+    }
+}
