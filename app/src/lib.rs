@@ -2,8 +2,9 @@
 //!
 //! The only place with a window, files and a clock. [`cli`] is one file a subcommand; [`editor`] is the window's frame
 //! in order, with its panels and viewport; [`storage`] is the only file access, [`opening`] and [`saving`] what both make of a
-//! scene file; `renderer` chooses between GPU and CPU.
+//! scene file; [`chart`] turns measured methods into a page to read; `renderer` chooses between GPU and CPU.
 
+pub mod chart;
 pub mod cli;
 pub mod command;
 pub mod editor;

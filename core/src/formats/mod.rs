@@ -1,6 +1,6 @@
 //! Bytes to values and back, one file a format. No files here: `app` reads and writes them.
 
-mod pretty_json;
+pub mod pretty_json;
 pub mod scene_file;
 pub mod sprites_csv;
 pub mod sprites_json;

@@ -1,0 +1,164 @@
+//! Cost against error as a drawing: both axes logarithmic, the front a stepped line, every mark with its name.
+//!
+//! What lies in the soft field beyond the line is beaten by what lies on it. Shape and colour tell a mark's family, so
+//! that neither is needed alone; colours come from `style.css`, which knows light and dark. Made by hand: a plotting
+//! library has no rails, no leading lines and no dark mode, and this needs no font on the machine that draws.
+
+mod axis;
+mod frame;
+mod labels;
+mod marks;
+
+use super::{Family, front, text};
+use axis::LogAxis;
+use labels::Rect;
+
+/// The colours and strokes of [`Plot::svg`]; a page has it once for all its charts.
+pub const STYLE: &str = include_str!("style.css");
+
+/// A method in a chart.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Mark<'a> {
+    /// The method's.
+    pub name: &'a str,
+    /// Its shape and colour.
+    pub family: Family,
+    /// Cost and error, finite.
+    pub at: [f64; 2],
+    /// What a click leads to, such as `#card-3`; empty for nothing.
+    pub link: String,
+}
+
+/// A chart to draw.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Plot<'a> {
+    /// What it shows, in a sentence, for those who can't see it.
+    pub title: &'a str,
+    /// Name and unit of the cost: "frame time, ms".
+    pub cost_title: &'a str,
+    /// Name and unit of the error: "FLIP, mean".
+    pub error_title: &'a str,
+    /// What less of the error is: "truer".
+    pub less_error: &'a str,
+    /// The methods; those known to fail are drawn over the others.
+    pub marks: &'a [Mark<'a>],
+    /// The error that is still good enough: a dashed line, if it lies within the chart.
+    pub tolerance: Option<f64>,
+}
+
+/// How large a drawing is, for the text in it to be read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Shape {
+    /// For a window or a sheet of paper.
+    Wide,
+    /// For a telephone.
+    Narrow,
+}
+
+impl Shape {
+    fn size(self) -> [f64; 2] {
+        match self {
+            Self::Wide => [960.0, 540.0],
+            Self::Narrow => [360.0, 470.0],
+        }
+    }
+
+    /// Units, which are pixels at the drawing's own size.
+    fn text(self) -> f64 {
+        match self {
+            Self::Wide => 13.5,
+            Self::Narrow => 12.0,
+        }
+    }
+}
+
+/// The width of `text` in a common sans serif of `size`, rather too wide: no font is at hand here.
+fn text_width(text: &str, size: f64) -> f64 {
+    let narrow = |c: char| " .,:;'|!()[]ijlftrI1-".contains(c);
+    text.chars()
+        .map(|c| {
+            if narrow(c) {
+                0.42
+            } else if c.is_uppercase() || "mwMW".contains(c) {
+                0.76
+            } else {
+                0.61
+            }
+        })
+        .sum::<f64>()
+        * size
+}
+
+/// The places that all parts of a drawing share.
+struct Sheet<'a> {
+    plot: &'a Plot<'a>,
+    size: [f64; 2],
+    text: f64,
+    /// Of the field with the marks.
+    field: Rect,
+    cost: LogAxis,
+    error: LogAxis,
+}
+
+impl<'a> Sheet<'a> {
+    fn new(plot: &'a Plot<'a>, shape: Shape) -> Self {
+        let ([width, height], text) = (shape.size(), shape.text());
+        let (top, bottom, left) = (text * 4.6, text * 3.6, text * 3.6);
+        let field = Rect { x: left, y: top, width: width - left - text, height: height - top - bottom };
+        let along = |i: usize| plot.marks.iter().map(|mark| mark.at[i]).collect::<Vec<_>>();
+        let (rail, right, lower) = (text * 2.4, field.x + field.width, field.y + field.height);
+        let cost = LogAxis::new(&along(0), [field.x, right], rail);
+        let error = LogAxis::new(&along(1), [lower, field.y], rail);
+        Self { plot, size: [width, height], text, field, cost, error }
+    }
+
+    fn at(&self, [cost, error]: [f64; 2]) -> [f64; 2] {
+        [self.cost.at(cost), self.error.at(error)]
+    }
+
+    /// The front's corners from the top of the field to its right.
+    fn front(&self) -> Vec<[f64; 2]> {
+        let points: Vec<_> = self.plot.marks.iter().map(|mark| Some(mark.at)).collect();
+        let on_front = front::front(&points);
+        let mut best: Vec<[f64; 2]> =
+            self.plot.marks.iter().zip(on_front).filter(|(_, on)| *on).map(|(mark, _)| self.at(mark.at)).collect();
+        best.sort_by(|a, b| a[0].total_cmp(&b[0]).then(b[1].total_cmp(&a[1])));
+        let Some(first) = best.first() else { return best };
+        let mut corners = vec![[first[0], self.field.y]];
+        for point in &best {
+            // As wrong as the last one, until this one's cost is paid.
+            let last = corners[corners.len() - 1];
+            corners.extend([[point[0], last[1]], *point]);
+        }
+        corners.push([self.field.x + self.field.width, corners[corners.len() - 1][1]]);
+        corners
+    }
+}
+
+impl Plot<'_> {
+    /// The drawing, for a page that has [`STYLE`].
+    pub fn svg(&self, shape: Shape) -> String {
+        self.draw(shape, "")
+    }
+
+    /// A file of its own, with its colours and a ground to stand on.
+    pub fn file(&self, shape: Shape) -> String {
+        let ground = r#"<rect width="100%" height="100%" style="fill:var(--raised)"/>"#;
+        self.draw(shape, &format!("<style>\n{STYLE}</style>\n{ground}\n")) + "\n"
+    }
+
+    fn draw(&self, shape: Shape, head: &str) -> String {
+        let sheet = Sheet::new(self, shape);
+        let [width, height] = sheet.size;
+        let title = text::escape(self.title);
+        let mut out = format!(
+            r#"<svg class="chart" xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" role="group" aria-label="{title}">"#
+        );
+        out.push('\n');
+        out.push_str(head);
+        frame::draw(&sheet, &mut out);
+        marks::draw(&sheet, &mut out);
+        out.push_str("</svg>");
+        out
+    }
+}
