@@ -1,6 +1,7 @@
 //! Flying through clouds: what ships stays within derived bounds where other ways fail, and a frame is the same however
 //! it is come by.
 
+use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{Hidden, Sorting};
 use cloudwright_core::facing::{FacingRule, upright::RELAXING};
@@ -50,16 +51,25 @@ fn ways_that_fail_do_jump() {
     }
 }
 
-/// Straight through, what ships moves pixels beyond the truth less than half as much as any other way to lock: what it
-/// does itself is bounded, and the rest is order, which costs colour alone.
+/// In a cloud of one colour the order costs nothing, and what is left beyond the truth's own changes is what locking and
+/// fading do. Straight through, every other way is more than twice as far off.
 #[test]
 fn pixels_follow_the_truth() {
-    let (scene, flights) = (scene(), flights());
-    let change = |rule| pixel_change(&scene, &flights[0].cameras, (rule, Sorting::EachFrame), 6);
+    let (mut scene, flights) = (scene(), flights());
+    for model in &mut scene.models {
+        model.color_levels.iter_mut().for_each(|level| level.color = Rgba::new(1.0, 1.0, 1.0, 0.9));
+        for cloud_box in &mut model.boxes {
+            (cloud_box.light.c_min, cloud_box.light.c_med, cloud_box.light.c_max) = (0.3, 0.3, 0.3);
+        }
+    }
+    let change = |rule| pixel_change(&scene, &flights[0].cameras, (rule, Sorting::EachFrame), 3);
     let shipped = change(FacingRule::Bounded);
+    // The truth fades alike. What is left is its filter: a quarter of a mip level more or less blur, of a tile whose
+    // neighbouring levels differ by up to 0.4 of opacity where it frays, in either frame.
+    assert!(shipped < 2.0 * 0.25 * 0.4, "{shipped}");
     for (name, rule, _) in METHODS.iter().filter(|(_, rule, _)| *rule != FacingRule::Bounded) {
         let other = change(*rule);
-        assert!(shipped < 0.5 * other, "{name}: {other}, shipped {shipped}");
+        assert!(2.0 * shipped < other, "{name}: {other}, shipped {shipped}");
     }
 }
 
@@ -67,7 +77,7 @@ fn pixels_follow_the_truth() {
 fn path(by: DVec3) -> CameraPath {
     let key = |time_s: f64, z: f64, heading_deg: f64| PathKey {
         time_s,
-        position: DVec3::new(4.0, 1010.0, z) + by,
+        position: DVec3::new(-80.0, 1010.0, z) + by,
         heading_deg,
         pitch_deg: 3.0,
         roll_deg: 0.0,
@@ -143,7 +153,7 @@ fn inside_a_cloud_fast_is_plain() {
         let t_s = f64::from(i) * 0.25;
         let (camera, history) = playback.seek(&derived, t_s);
         let frame = frame_of(&scene, &derived, (&camera, t_s), history);
-        veiled += usize::from(frame.veil.a > 0.3);
+        veiled += usize::from(frame.veil.a > 0.05);
         faded += usize::from(frame.fading.is_some());
         let (fast, plain) = (fast::clouds(&frame, fast::NEVER_STOP), plain::clouds(&frame));
         for (a, b) in fast.pixels.iter().zip(&plain.pixels) {
