@@ -1,11 +1,12 @@
 //! The core's phases: `cargo bench -p cloudwright-tests --bench core`.
 //!
 //! Targets on an idle machine of two cores: 20,000 sprites populated in 30 ms on one core, and time a sprite at 10⁶
-//! below three times that at 10⁴; 80,000 corners shaded in 5 ms on one core; 10⁶ keys sorted in 40 ms.
+//! below three times that at 10⁴; 80,000 corners shaded in 5 ms on one core; 10⁶ keys sorted in 40 ms; lock and fade of
+//! 20,000 sprites stepped in 1 ms on one core, and for nothing where the cloud is out of reach.
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{DrawSprite, FACES_EYE, sort_back_to_front};
-use cloudwright_core::facing::{Pose, corners};
+use cloudwright_core::facing::{FacingMemory, Pose, corners};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::raster::fast;
@@ -99,5 +100,34 @@ fn drawing(criterion: &mut Criterion) {
     }
 }
 
-criterion_group!(benches, populating, shading, sorting, drawing);
+/// A step of a view's history: 20,000 sprites around the eye, straight above it, and out of reach.
+fn flying(criterion: &mut Criterion) {
+    let mut scene = heap(1);
+    let model = model_of(36_000);
+    scene.clouds[0].model = model.id;
+    scene.models = vec![model];
+    let derived = Derived::new(&scene);
+    let cloud = &derived.clouds()[0];
+    let middle = cloud.origin + cloud.center.as_dvec3();
+    let mut group = criterion.benchmark_group("one step of lock and fade, one core");
+    group.throughput(Throughput::Elements(cloud.sprites.len() as u64));
+    for (name, from_middle) in [
+        ("within", DVec3::ZERO),
+        ("overhead", DVec3::new(0.0, -2000.0, 0.0)),
+        ("out of reach", DVec3::new(60_000.0, 0.0, 0.0)),
+    ] {
+        let mut memory = FacingMemory::default();
+        let mut along_m = 0.0;
+        group.bench_function(format!("{} {name}", cloud.sprites.len()), |bencher| {
+            bencher.iter(|| {
+                along_m = (along_m + 1.3) % 400.0;
+                let eye = middle + from_middle + DVec3::X * along_m;
+                memory.step(derived.clouds(), derived.version(), eye, Vec3::Y);
+                memory.sprite_count()
+            });
+        });
+    }
+}
+
+criterion_group!(benches, populating, shading, sorting, flying, drawing);
 criterion_main!(benches);

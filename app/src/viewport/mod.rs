@@ -23,6 +23,7 @@ mod plane;
 mod screen;
 mod steer;
 mod targets;
+mod way;
 mod wireframe;
 
 use crate::editor::{Action, Choose, Selection, Session, Tool};
@@ -44,11 +45,13 @@ use picture::{PictureSource, Shot};
 use pilot::Pilot;
 use screen::Screen;
 use std::time::Duration;
+use way::Way;
 
 /// How the scene is looked at.
 pub(crate) struct Viewport {
     navigation: Navigation,
     pilot: Pilot,
+    way: Way,
     picture: PictureSource,
     marks: Marks,
     clicks: Clicks,
@@ -69,6 +72,7 @@ impl Viewport {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             pilot: Pilot::default(),
+            way: Way::default(),
             picture: PictureSource::new(context, choice, device),
             marks: Marks::default(),
             clicks: Clicks::default(),
@@ -98,6 +102,7 @@ impl Viewport {
         });
         let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
         self.pilot.stop();
+        self.way.begin_anew();
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
 
@@ -105,6 +110,7 @@ impl Viewport {
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = bounds::bounds(selection, session) {
             self.pilot.stop();
+            self.way.begin_anew();
             self.navigation.frame(center, radius);
         }
     }
@@ -183,7 +189,9 @@ impl Viewport {
         let pixels = (response.rect.size() * ui.pixels_per_point()).round();
         let size = [pixels.x as u32, pixels.y as u32];
         let hidden = reading.view.hidden_in(session.scene());
-        let shot = Shot { camera: self.navigation.camera().clone(), hour: reading.hour(), size, hidden };
+        let camera = self.navigation.camera().clone();
+        let history = self.way.follow(&camera, session.derived()).clone();
+        let shot = Shot { camera, hour: reading.hour(), size, hidden, history };
         self.picture.ask(session, shot, quick);
         match self.picture.texture() {
             Some(texture) => {

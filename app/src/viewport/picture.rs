@@ -44,12 +44,13 @@ pub(super) struct Shot {
     pub(super) size: [u32; 2],
     /// What is left out.
     pub(super) hidden: Hidden,
+    /// What the view has seen on its way.
+    pub(super) history: ViewHistory,
 }
 
 impl Shot {
     fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, atlas: &'a Atlas) -> Frame<'a> {
-        let Self { camera, hour, size, hidden } = self;
-        let history = &ViewHistory::default();
+        let Self { camera, hour, size, hidden, history } = self;
         Frame::of(scene, derived, atlas, &Sight { camera, time_h: *hour, clock_s: 0.0, size: *size, hidden, history })
     }
 }
