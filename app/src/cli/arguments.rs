@@ -1,6 +1,6 @@
 //! What may stand on the command line, and how single values are read.
 
-use super::{check, export, info, new, render};
+use super::{check, export, fly, info, new, render};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -17,6 +17,7 @@ use std::path::PathBuf;
   cloudwright fair_weather.cloudscene           open the editor on that scene
   cloudwright new sky.cloudscene
   cloudwright render fair_weather.cloudscene -o sky.png
+  cloudwright fly fair_weather.cloudscene --path through -o through.mp4
   cloudwright check *.cloudscene
 
 Exit codes: 0 done, 1 problems found, 2 unusable input, 3 could not do it."
@@ -38,6 +39,8 @@ pub(super) enum Subcommand {
     New(new::Arguments),
     /// Draw a scene as a PNG
     Render(render::Arguments),
+    /// Draw a flight along a camera path, as PNGs or a video
+    Fly(fly::Arguments),
     /// List the problems of scenes
     Check(check::Arguments),
     /// Count a scene's models, boxes and sprites

@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use crate::storage;
-use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::scene::{Camera, CameraPath, Scene};
 use std::path::Path;
 
 /// The camera of that name, or the scene's first.
@@ -24,6 +24,24 @@ pub(super) fn camera<'a>(scene: &'a Scene, path: &Path, name: Option<&str>) -> R
         };
         Failure::argument(what, hint)
     })
+}
+
+/// The path of that name, if one can fly along it.
+pub(super) fn path<'a>(scene: &'a Scene, file: &Path, name: &str) -> Result<&'a CameraPath, Failure> {
+    let Some(path) = scene.path_named(name) else {
+        let names: Vec<&str> = scene.paths.iter().map(|path| path.name.as_str()).collect();
+        let hint = if names.is_empty() {
+            "the scene has no paths; record one in the editor".into()
+        } else {
+            crate::opening::one_line(&format!("the paths are {}", names.join(", ")))
+        };
+        return Err(Failure::argument(format!("{}: paths: there is no path “{name}”", file.display()), hint));
+    };
+    if path.keys.len() < 2 {
+        let what = format!("{}: paths: “{name}” stands still: it has one key", file.display());
+        return Err(Failure::argument(what, "add a key with a later time, or use cloudwright render"));
+    }
+    Ok(path)
 }
 
 /// Known before the work, not after it: whether `output` can be written, and is not the scene itself.

@@ -8,6 +8,7 @@ mod check;
 mod edit;
 mod export;
 mod failure;
+mod fly;
 mod info;
 mod input;
 mod new;
@@ -37,6 +38,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         None => edit::run(arguments.scene.as_deref(), arguments.renderer),
         Some(Subcommand::New(arguments)) => new::run(arguments),
         Some(Subcommand::Render(arguments)) => render::run(arguments),
+        Some(Subcommand::Fly(arguments)) => fly::run(arguments),
         Some(Subcommand::Check(arguments)) => check::run(arguments),
         Some(Subcommand::Info(arguments)) => info::run(arguments),
         Some(Subcommand::Export(arguments)) => export::run(arguments),

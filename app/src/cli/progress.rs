@@ -11,6 +11,9 @@ use std::time::Duration;
 const PATIENCE: Duration = Duration::from_millis(500);
 const STEP: Duration = Duration::from_millis(100);
 const PARTS: u32 = 1000;
+const PLAIN: &str = "{spinner} {msg} {bar:30} {percent:>3} % {elapsed}";
+/// Once it is known how far it has come.
+const WITH_TIME_LEFT: &str = "{spinner} {msg} {bar:30} {percent:>3} % {elapsed}, {eta} left";
 
 /// Runs until dropped.
 pub(super) struct Progress {
@@ -36,7 +39,11 @@ impl Progress {
                 }
                 let bar = bar(&what);
                 while stopped.recv_timeout(STEP) == Err(RecvTimeoutError::Timeout) {
-                    bar.set_position(done.load(Ordering::Relaxed).into());
+                    let position = done.load(Ordering::Relaxed);
+                    if position > 0 && bar.position() == 0 {
+                        bar.set_style(style(WITH_TIME_LEFT));
+                    }
+                    bar.set_position(position.into());
                     bar.tick();
                 }
                 bar.finish_and_clear();
@@ -53,8 +60,11 @@ impl Progress {
 
 fn bar(what: &str) -> ProgressBar {
     let bar = ProgressBar::with_draw_target(Some(PARTS.into()), ProgressDrawTarget::stderr());
-    let style = ProgressStyle::with_template("{spinner} {msg} {bar:30} {percent:>3} % {elapsed}");
-    bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())).with_message(what.to_owned())
+    bar.with_style(style(PLAIN)).with_message(what.to_owned())
+}
+
+fn style(template: &str) -> ProgressStyle {
+    ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar())
 }
 
 impl Drop for Progress {

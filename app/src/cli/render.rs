@@ -104,7 +104,8 @@ fn check_output_name(arguments: &Arguments) -> Result<(), Failure> {
     ))
 }
 
-fn check_memory([width, height]: [u32; 2], side: u32) -> Result<(), Failure> {
+/// That the samples of one picture fit into memory.
+pub(super) fn check_memory([width, height]: [u32; 2], side: u32) -> Result<(), Failure> {
     let samples = u64::from(width) * u64::from(height) * u64::from(side * side);
     if samples <= MAX_SAMPLES {
         return Ok(());

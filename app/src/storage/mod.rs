@@ -43,6 +43,31 @@ pub fn read(path: &Path, limit: usize) -> Result<Vec<u8>, StorageError> {
     Ok(bytes)
 }
 
+/// Makes the folder, and those that it lies in, if they are not there.
+///
+/// # Errors
+/// If one of them is a file, or can't be made.
+pub fn make_folder(path: &Path) -> Result<(), StorageError> {
+    if path.exists() && !path.is_dir() {
+        let (reason, hint) = ("it is a file", "give a folder, or the name of a new one");
+        return Err(StorageError::Write { path: path.into(), reason: reason.into(), hint: hint.into() });
+    }
+    fs::create_dir_all(path).map_err(|error| StorageError::write(path, &error))
+}
+
+/// Gives the file `from` the name `to`, in place of what has it.
+///
+/// # Errors
+/// If `to` is a folder, lies on another disk, or in a folder that can't be written.
+pub fn rename(from: &Path, to: &Path) -> Result<(), StorageError> {
+    fs::rename(from, to).map_err(|error| StorageError::write(to, &error))
+}
+
+/// Takes a file away. One that can't be is left.
+pub fn remove_if_there(path: &Path) {
+    let _ = fs::remove_file(path);
+}
+
 /// Whether both names lead to one file that is there.
 pub fn is_same_file(a: &Path, b: &Path) -> bool {
     matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)

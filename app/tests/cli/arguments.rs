@@ -43,7 +43,8 @@ const CASES: &[(&str, i32, &[&str])] = &[
     ("info good.cloudscene --yaml", 2, &["--yaml"]),
     ("good.cloudscene", 3, &["no display", "cloudwright render"]),
     ("", 3, &["no display", "cloudwright render"]),
-    ("fly good.cloudscene", 2, &["good.cloudscene", "--help"]),
+    ("fly good.cloudscene", 2, &["--path", "--output", "--help"]),
+    ("flip good.cloudscene", 2, &["good.cloudscene", "--help"]),
 ];
 
 #[test]
