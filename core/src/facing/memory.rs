@@ -152,7 +152,8 @@ impl ToEye {
             let within = |distance: f32| distance_squared < distance * distance;
             // sin² of the elevation, without the root.
             let polar = to_eye.y * to_eye.y > upright::POLE[0] * upright::POLE[0] * distance_squared;
-            if !within(shell.max(self.nearest)) && !(polar && polar_too) && remembered.is_none() {
+            let turns = within(shell.max(self.nearest)) || (polar && polar_too);
+            if !turns && remembered.is_none() {
                 continue;
             }
             let past = remembered.copied().unwrap_or_else(|| self.past(sprite, index, camera_up));
