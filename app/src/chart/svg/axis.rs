@@ -49,7 +49,7 @@ impl LogAxis {
         let (low, high) = (round_down(smallest / AIR), round_up(largest * AIR));
         let towards_end = (end_px - start_px).signum();
         let rail = (!on_rail.is_empty()).then(|| Rail {
-            at_px: start_px + towards_end * rail_px * 0.35,
+            at_px: start_px + towards_end * rail_px * 0.3,
             label: if on_rail.iter().all(|x| *x == 0.0) {
                 "0".into()
             } else {

@@ -104,11 +104,13 @@ pub(super) fn place(wanted: &[Wanted], bounds: Rect, taken: &[Rect], lines: &[[[
                 let length = (end[0] - name.at[0]).hypot(end[1] - name.at[1]);
                 crossed * CROSSING + length * 0.5
             });
-            10.0 * (outside + on_marks + on_names) + on_lines * 2.0 + on_leaders * CROSSING + own_leader
+            // In whole pixels, or the noise of sums would choose between equals.
+            (10.0 * (outside + on_marks + on_names) + on_lines * 2.0 + on_leaders * CROSSING + own_leader).round()
+                as i64
         };
         // The first of equals: near, and to the right.
-        let best = candidates(name).map(|placed| (cost(&placed), placed)).min_by(|a, b| a.0.total_cmp(&b.0));
-        names.extend(best.map(|(_, placed)| placed));
+        let best = candidates(name).min_by_key(cost);
+        names.extend(best);
     }
     names
 }
