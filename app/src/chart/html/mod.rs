@@ -2,7 +2,7 @@
 //!
 //! Pictures are in it as data. Top to bottom: what was looked at, what the figures say in words, cost against error,
 //! cost against stability, a card for each method from true to wrong, every figure in a table. All names go through
-//! [`text::escape`], and the page forbids itself to load anything.
+//! `text::escape`, and the page forbids itself to load anything.
 
 mod card;
 mod reading;
