@@ -46,7 +46,7 @@ fn scale(brightest: f32, out: &mut String) {
     let stops: Vec<String> = heat::COLORS.iter().map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
     let _ = writeln!(
         out,
-        r#"<p class="scale"><span>Beside each picture a map shows where it differs from the truth. <span class="drag">Drag across one to compare the two.</span></span>
+        r#"<p class="scale"><span>Each map shows where its picture differs from the truth. <span class="drag">Drag across a picture to compare.</span></span>
 <span class="key">FLIP 0 <span class="bar" style="background:linear-gradient(to right,{})"></span> {brightest:.2} and more</span></p>"#,
         stops.join(",")
     );
