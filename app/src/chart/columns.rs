@@ -24,7 +24,7 @@ pub const COLUMNS: &[Column] = &[
     column("Error", "FLIP, mean", Some("FLIP, mean"), "", |m| m.error.flip_mean),
     column("Error", "FLIP, 99 %", Some("FLIP, 99 %"), "", |m| m.error.flip_p99),
     column("Error", "RMSE", Some("RMSE, linear"), "", |m| m.error.rmse),
-    column("Error", "opacity, largest", Some("opacity, largest"), "", |m| m.error.opacity_max),
+    column("Error", "opacity, worst", Some("opacity, worst"), "", |m| m.error.opacity_max),
     column("Excess change", "mean", Some("excess change"), "", |m| stability(m)?.excess_mean),
     column("Excess change", "99.9 %", None, "", |m| stability(m)?.excess_p999),
     column("Excess change", "worst frame", Some("worst frame"), "", |m| stability(m)?.worst_frame),

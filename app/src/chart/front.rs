@@ -1,8 +1,7 @@
 //! Which methods no other one beats: the Pareto front, and what can be read off it.
 //!
 //! A method is on the front if none is at most as dear and at most as wrong, and better in one of the two. Methods with
-//! the same two figures stay on it together; one without figures is never on it. After Pareto, *Cours d'économie
-//! politique*, 1896.
+//! the same two figures stay on it together; one without figures is never on it. The idea is Vilfredo Pareto's (1896).
 
 use super::report::Method;
 

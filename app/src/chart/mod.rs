@@ -32,9 +32,9 @@ impl Family {
     /// For legends and badges.
     pub fn name(self) -> &'static str {
         match self {
-            Self::Truth => "the truth",
+            Self::Truth => "truth",
             Self::Shipped => "shipped",
-            Self::Other => "other methods",
+            Self::Other => "others",
             Self::Failing => "known to fail",
         }
     }

@@ -44,7 +44,11 @@ pub fn figure(figure: Figure) -> String {
 
 /// A number that a person chose, such as a tick or a tolerance, with all its digits: 0.02, 500, 10 000.
 pub fn round_number(x: f64) -> String {
-    if x >= 1e4 && x < 1e15 { grouped(x) } else { x.to_string() }
+    match x.abs() {
+        size if size >= 1e12 || (size > 0.0 && size < 1e-6) => format!("{x:e}"),
+        1e4.. => grouped(x),
+        _ => x.to_string(),
+    }
 }
 
 /// "12 times", "3.4 times".
@@ -117,8 +121,14 @@ mod tests {
     /// RFC 4648, section 10.
     #[test]
     fn base64_of_the_standard() {
-        let cases =
-            [("", ""), ("f", "Zg=="), ("fo", "Zm8="), ("foo", "Zm9v"), ("foob", "Zm9vYg=="), ("foobar", "Zm9vYmFy")];
+        let cases = [
+            ("", ""),
+            ("f", "Zg=="),
+            ("fooba", "Zm9vYmE="),
+            ("foo", "Zm9v"),
+            ("foob", "Zm9vYg=="),
+            ("foobar", "Zm9vYmFy"),
+        ];
         for (text, want) in cases {
             assert_eq!(base64(text.as_bytes()), want);
         }

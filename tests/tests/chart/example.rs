@@ -144,7 +144,7 @@ pub fn report() -> Report {
         }
     };
     Report {
-        scene: "overcast".into(),
+        scene: "cumulonimbus_dusk".into(),
         size: [640, 360],
         adapter: "llvmpipe (LLVM 15.0.6, 256 bits)".into(),
         view: Some(View::Path("fly-through".into())),

@@ -56,6 +56,11 @@ fn beaten_by_whom() {
     // The truth pays for what no one would see.
     check(5, Some((4, Gain::Speed, 51.0)));
     check(6, None);
+    // Times within a tenth are the same time.
+    for (other_cost, want) in [(10.9, Some(5.0)), (11.1, None)] {
+        let points = [Some([10.0, 0.05]), Some([other_cost, 0.01])];
+        assert_eq!(beaten(&points, 0).map(|beaten| beaten.factor), want, "{other_cost}");
+    }
 }
 
 #[test]

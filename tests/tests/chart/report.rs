@@ -29,7 +29,7 @@ fn fields_have_their_names() {
     for (pointer, want) in [
         ("/format", serde_json::json!("cloudwright-chart")),
         ("/version", 1.into()),
-        ("/scene", "overcast".into()),
+        ("/scene", "cumulonimbus_dusk".into()),
         ("/size", serde_json::json!([640, 360])),
         ("/adapter", "llvmpipe (LLVM 15.0.6, 256 bits)".into()),
         ("/path", "fly-through".into()),

@@ -46,7 +46,8 @@ fn scale(brightest: f32, out: &mut String) {
     let stops: Vec<String> = heat::COLORS.iter().map(|[r, g, b]| format!("rgb({r} {g} {b})")).collect();
     let _ = writeln!(
         out,
-        r#"<p class="scale">Drag across a picture to wipe between the method and the truth. Beside it, where the two differ: FLIP 0 <span class="bar" style="background:linear-gradient(to right,{})"></span> {brightest:.2} and more</p>"#,
+        r#"<p class="scale"><span>Each map shows where its picture differs from the truth. <span class="drag">Drag across a picture to compare.</span></span>
+<span class="key">FLIP 0 <span class="bar" style="background:linear-gradient(to right,{})"></span> {brightest:.2} and more</span></p>"#,
         stops.join(",")
     );
 }
@@ -61,7 +62,7 @@ fn card(
     let family = page.family(method);
     let _ = writeln!(out, r#"<article class="card {}" id="{}">"#, family.class(), Page::card_id(place));
     let _ = write!(out, "<h3>{}", text::escape(&method.name));
-    if family != Family::Other {
+    if matches!(family, Family::Shipped | Family::Failing) {
         let _ = write!(out, r#" <span class="badge {}">{}</span>"#, family.class(), family.name());
     }
     if method.on_front {
@@ -114,9 +115,9 @@ fn figures(page: &Page<'_>, method: &Method, out: &mut String) {
     out.push_str("<dl class=\"figures\">\n");
     for column in filled(&page.report.methods) {
         let Some(name) = column.in_card else { continue };
-        let value = (column.of)(method);
-        let unit = if value.is_some() && !column.unit.is_empty() { format!(" {}", column.unit) } else { String::new() };
-        let _ = writeln!(out, "<div><dt>{name}</dt><dd>{}{unit}</dd></div>", text::figure(value));
+        let Some(value) = (column.of)(method).filter(|x| x.is_finite()) else { continue };
+        let unit = if column.unit.is_empty() { String::new() } else { format!(" {}", column.unit) };
+        let _ = writeln!(out, "<div><dt>{name}</dt><dd>{}{unit}</dd></div>", text::figure(Some(value)));
     }
     out.push_str("</dl>\n");
     if !method.settings.is_empty() {

@@ -2,7 +2,7 @@
 //!
 //! Pictures are in it as data. Top to bottom: what was looked at, what the figures say in words, cost against error,
 //! cost against stability, a card for each method from true to wrong, every figure in a table. All names go through
-//! [`text::escape`], and the page forbids itself to load anything.
+//! `text::escape`, and the page forbids itself to load anything.
 
 mod card;
 mod reading;
@@ -100,6 +100,7 @@ fn head(page: &Page<'_>, out: &mut String) -> Result<(), png::EncodingError> {
 </head>
 <body>
 <main>
+<div class="top">
 <header>
 <p class="eyebrow">Cloudwright · speed against accuracy</p>
 <h1>{scene}</h1>
@@ -119,7 +120,7 @@ fn head(page: &Page<'_>, out: &mut String) -> Result<(), png::EncodingError> {
     picture(page.truth, "the truth", "id=\"truth\"", out)?;
     out.push_str(
         "<figcaption>The truth: every sprite, with the fragments of every ray in their own order. \
-         All errors below are measured against this picture.</figcaption>\n</figure>\n",
+         All errors below are measured against this picture.</figcaption>\n</figure>\n</div>\n",
     );
     Ok(())
 }
@@ -169,7 +170,7 @@ fn marks<'a>(page: &'a Page<'_>, at: impl Fn(&Method) -> Option<[f64; 2]>) -> Ve
 
 /// The chart twice: as large as a window, and as a telephone. The page shows the one that fits.
 fn section(title: &str, caption: &str, plot: &Plot<'_>, out: &mut String) {
-    let _ = writeln!(out, "<section>\n<h2>{title}</h2>\n<p>{caption}</p>");
+    let _ = writeln!(out, "<section class=\"charted\">\n<h2>{title}</h2>\n<p>{caption}</p>");
     if !plot.marks.is_empty() {
         for (class, shape) in [("wide", Shape::Wide), ("narrow", Shape::Narrow)] {
             let _ = writeln!(out, "<div class=\"plot {class}\">\n{}\n</div>", plot.svg(shape));

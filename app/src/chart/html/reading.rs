@@ -57,14 +57,16 @@ fn far_from_front(page: &Page<'_>) -> Option<String> {
         page.report.methods.iter().enumerate().filter_map(|(i, method)| Some((method, beaten(page, i)?))).collect();
     far.retain(|(_, beaten)| beaten.factor >= FAR);
     far.sort_by(|(_, a), (_, b)| b.factor.total_cmp(&a.factor));
-    let one = |(method, beaten): &(&Method, Beaten)| format!("{} ({})", name(method), how(page, beaten));
+    let one = |(method, beaten): &(&Method, Beaten)| {
+        format!("{} ({} {})", name(method), better(page, beaten), gained(beaten))
+    };
     let named: Vec<String> = far.iter().take(MOST_NAMED).map(one).collect();
     let rest = far.len() - named.len();
-    let more = if rest > 0 { format!("; and {rest} more") } else { String::new() };
+    let more = if rest > 0 { format!(" and {rest} more") } else { String::new() };
     match named.as_slice() {
         [] => None,
         [only] => Some(format!("Far from the front lies {only}.")),
-        several => Some(format!("Far from the front lie {}{more}.", several.join("; "))),
+        several => Some(format!("Far from the front lie {}{more}.", several.join(", "))),
     }
 }
 
@@ -73,19 +75,25 @@ fn beaten(page: &Page<'_>, place: usize) -> Option<Beaten> {
     front::beaten(&points, place)
 }
 
-/// "plain is as quick and 12 times as true".
-fn how(page: &Page<'_>, Beaten { by, gain, factor }: &Beaten) -> String {
-    let better = page.report.methods.get(*by).map_or_else(String::new, |method| text::escape(&method.name));
-    let times = text::times(*factor);
+fn better(page: &Page<'_>, beaten: &Beaten) -> String {
+    page.report.methods.get(beaten.by).map_or_else(String::new, |method| text::escape(&method.name))
+}
+
+fn gained(Beaten { gain, factor, .. }: &Beaten) -> String {
     match gain {
-        Gain::Truth => format!("{better} is as quick and {times} as true"),
-        Gain::Speed => format!("{better} is as true and {times} as quick"),
+        Gain::Truth => format!("errs {} less", text::times(*factor)),
+        Gain::Speed => format!("is {} as quick", text::times(*factor)),
     }
 }
 
 /// For the card of the method at `place`: what is wrong with taking it, if something is.
 pub(super) fn verdict(page: &Page<'_>, place: usize) -> Option<String> {
-    beaten(page, place).filter(|beaten| beaten.factor >= FAR).map(|beaten| format!("{}.", how(page, &beaten)))
+    let beaten = beaten(page, place).filter(|beaten| beaten.factor >= FAR)?;
+    let no_worse = match beaten.gain {
+        Gain::Truth => "takes no longer",
+        Gain::Speed => "errs no more",
+    };
+    Some(format!("Beaten: {} {no_worse} and {}.", better(page, &beaten), gained(&beaten)))
 }
 
 /// Under the heading of the chart of errors.

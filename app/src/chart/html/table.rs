@@ -13,7 +13,7 @@ pub(super) fn write(page: &Page<'_>, out: &mut String) {
     }
     let columns = filled(methods);
     out.push_str(
-        "<section>\n<h2>All figures</h2>\n\
+        "<section class=\"all\">\n<h2>All figures</h2>\n\
          <div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"All figures\">\n<table>\n<thead>\n<tr><td></td>",
     );
     for group in columns.chunk_by(|a, b| a.group == b.group) {

@@ -40,7 +40,8 @@ pub(super) struct Tick {
 impl LogAxis {
     /// For `values`, all finite, from `start_px` (small) to `end_px` (large); a rail takes `rail_px` of that.
     pub fn new(values: &[f64], [start_px, end_px]: [f64; 2], rail_px: f64) -> Self {
-        let largest = values.iter().copied().fold(0.0, f64::max).min(1.0 / LEAST);
+        let values: Vec<f64> = values.iter().map(|value| value.min(1.0 / LEAST)).collect();
+        let largest = values.iter().copied().fold(0.0, f64::max);
         let fits = |x: &f64| *x >= LEAST.max(largest / LARGEST_SPAN);
         let smallest = values.iter().copied().filter(fits).fold(f64::INFINITY, f64::min);
         let on_rail: Vec<f64> = values.iter().copied().filter(|x| !fits(x)).collect();
@@ -49,7 +50,7 @@ impl LogAxis {
         let (low, high) = (round_down(smallest / AIR), round_up(largest * AIR));
         let towards_end = (end_px - start_px).signum();
         let rail = (!on_rail.is_empty()).then(|| Rail {
-            at_px: start_px + towards_end * rail_px * 0.35,
+            at_px: start_px + towards_end * rail_px * 0.3,
             label: if on_rail.iter().all(|x| *x == 0.0) {
                 "0".into()
             } else {

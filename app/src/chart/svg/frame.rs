@@ -42,24 +42,34 @@ fn grid(sheet: &Sheet<'_>, out: &mut String) {
     line(out, "axis", [cost.low_px(), lower], [right, lower]);
     line(out, "axis", [field.x, field.y], [field.x, error.low_px()]);
     if let Some(rail) = cost.rail() {
+        cut(out, text * 0.35, [(rail.at_px + cost.low_px()) / 2.0, lower]);
         line(out, "rail", [rail.at_px, field.y], [rail.at_px, lower]);
         words(out, "soft", [rail.at_px, lower + text * 1.4], (small, "middle"), &rail.label);
     }
     if let Some(rail) = error.rail() {
+        cut(out, text * 0.35, [field.x, (rail.at_px + error.low_px()) / 2.0]);
         line(out, "rail", [field.x, rail.at_px], [right, rail.at_px]);
         words(out, "soft", [field.x - text * 0.5, rail.at_px + text * 0.32], (small, "end"), &rail.label);
     }
 }
 
+/// Two strokes that say: the scale does not go on to here.
+fn cut(out: &mut String, size: f64, [x, y]: [f64; 2]) {
+    for aside in [-0.5, 0.5] {
+        let (x, y) = (x + aside * size, y + aside * size);
+        line(out, "axis", [x - size, y + size], [x + size, y - size]);
+    }
+}
+
 fn titles(sheet: &Sheet<'_>, out: &mut String) {
     let Sheet { plot, text, field, size, .. } = sheet;
-    let cost = format!("← quicker · {}", plot.cost_title);
+    let cost = format!("{} · ← quicker", plot.cost_title);
     words(out, "", [field.x + field.width, size[1] - text * 0.7], (*text, "end"), &cost);
     let error = format!("{} · ↓ {}", plot.error_title, plot.less_error);
     words(out, "", [text * 0.4, field.y - text], (*text, "start"), &error);
 }
 
-/// A row above the chart, of the families that are in it.
+/// A row above the chart, of the families that are in it, and of the line.
 fn legend(sheet: &Sheet<'_>, out: &mut String) {
     let Sheet { plot, text, .. } = sheet;
     let small = text * 0.92;
@@ -68,9 +78,14 @@ fn legend(sheet: &Sheet<'_>, out: &mut String) {
     for family in Family::ALL.into_iter().filter(|family| plot.marks.iter().any(|mark| mark.family == *family)) {
         let name = family.name();
         marks::shape(out, family, [x + text * 0.5, y - text * 0.35], text * 0.4);
-        words(out, "soft", [x + text * 1.4, y], (small, "start"), name);
-        x += text * 2.2 + text_width(name, small) * 0.92;
+        words(out, "soft", [x + text * 1.6, y], (small, "start"), name);
+        x += text * 2.6 + text_width(name, small);
     }
+    // At the end of the next row, where it does not make this one longer than a telephone is wide.
+    let (right, y) = (sheet.field.x + sheet.field.width, sheet.field.y - text);
+    words(out, "soft", [right, y], (small, "end"), "front");
+    let end = right - text_width("front", small) - text * 0.4;
+    line(out, "front", [end - text * 1.6, y - text * 0.35], [end, y - text * 0.35]);
 }
 
 /// Where the tolerance's name stands, if the tolerance is drawn.
@@ -80,13 +95,13 @@ pub(super) fn tolerance_name(sheet: &Sheet<'_>) -> Option<(Rect, String)> {
     let name = format!("tolerance {}", text::round_number(tolerance));
     let width = text_width(&name, text * 0.92);
     let y = error.at(tolerance) - text * 1.4;
-    Some((Rect { x: field.x + field.width - width - text * 0.4, y, width, height: text * 1.3 }, name))
+    Some((Rect { x: field.x + field.width - width - text * 0.4, y, width, height: text * 1.4 }, name))
 }
 
 fn tolerance(sheet: &Sheet<'_>, out: &mut String) {
     let Some((rect, name)) = tolerance_name(sheet) else { return };
     let Sheet { text, field, .. } = sheet;
-    let y = rect.y + text * 1.4;
+    let y = rect.y + rect.height;
     line(out, "tolerance", [field.x, y], [field.x + field.width, y]);
     words(out, "soft halo", [rect.x + rect.width, y - text * 0.4], (text * 0.92, "end"), &name);
 }

@@ -50,8 +50,13 @@ fn place_names(sheet: &Sheet<'_>, marks: &[&Mark<'_>], front: &[[f64; 2]]) -> Ve
             Wanted { at: sheet.at(mark.at), radius, size: [text_width(mark.name, size), size * 1.25] }
         })
         .collect();
-    let taken: Vec<Rect> = frame::tolerance_name(sheet).into_iter().map(|(rect, _)| rect).collect();
-    let lines: Vec<_> = front.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let mut lines: Vec<_> = front.windows(2).map(|pair| [pair[0], pair[1]]).collect();
+    let mut taken = Vec::new();
+    if let Some((name, _)) = frame::tolerance_name(sheet) {
+        let (Rect { x, width, .. }, y) = (sheet.field, name.y + name.height);
+        lines.push([[x, y], [x + width, y]]);
+        taken.push(name);
+    }
     labels::place(&wanted, sheet.field, &taken, &lines)
 }
 

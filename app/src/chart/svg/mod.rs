@@ -74,19 +74,14 @@ impl Shape {
 
 /// The width of `text` in a common sans serif of `size`, rather too wide: no font is at hand here.
 fn text_width(text: &str, size: f64) -> f64 {
-    let narrow = |c: char| " .,:;'|!()[]ijlftrI1-".contains(c);
-    text.chars()
-        .map(|c| {
-            if narrow(c) {
-                0.42
-            } else if c.is_uppercase() || "mwMW".contains(c) {
-                0.76
-            } else {
-                0.61
-            }
-        })
-        .sum::<f64>()
-        * size
+    let em = |c: char| match c {
+        ' ' | '.' | ',' | ':' | ';' | '\'' | '|' | '!' | 'i' | 'j' | 'l' => 0.33,
+        '(' | ')' | '[' | ']' | 'f' | 't' | 'r' | 'I' | '-' => 0.42,
+        'm' | 'w' | 'M' | 'W' => 0.95,
+        c if c.is_uppercase() => 0.74,
+        _ => 0.64,
+    };
+    text.chars().map(em).sum::<f64>() * size
 }
 
 /// The places that all parts of a drawing share.
@@ -103,12 +98,14 @@ struct Sheet<'a> {
 impl<'a> Sheet<'a> {
     fn new(plot: &'a Plot<'a>, shape: Shape) -> Self {
         let ([width, height], text) = (shape.size(), shape.text());
-        let (top, bottom, left) = (text * 4.6, text * 3.6, text * 3.6);
-        let field = Rect { x: left, y: top, width: width - left - text, height: height - top - bottom };
         let along = |i: usize| plot.marks.iter().map(|mark| mark.at[i]).collect::<Vec<_>>();
-        let (rail, right, lower) = (text * 2.4, field.x + field.width, field.y + field.height);
-        let cost = LogAxis::new(&along(0), [field.x, right], rail);
-        let error = LogAxis::new(&along(1), [lower, field.y], rail);
+        let (top, lower, rail) = (text * 4.6, height - text * 3.6, text * 3.2);
+        let error = LogAxis::new(&along(1), [lower, top], rail);
+        // To the left stand the scale's numbers, to the right half of the last number below.
+        let numbers = error.ticks(0.0).into_iter().chain(error.rail()).map(|tick| text_width(&tick.label, text));
+        let (left, right) = (numbers.fold(text, f64::max) + text, width - text * 1.8);
+        let cost = LogAxis::new(&along(0), [left, right], rail);
+        let field = Rect { x: left, y: top, width: right - left, height: lower - top };
         Self { plot, size: [width, height], text, field, cost, error }
     }
 
