@@ -1,9 +1,9 @@
 //! A smooth curve through values at given times that never overshoots them.
 //!
 //! Between two knots runs a cubic Hermite polynomial. Fritsch and Carlson (*Monotone piecewise cubic interpolation*,
-//! SIAM J. Numer. Anal. 17, 1980) show that it stays within the two values if the slopes at its ends have the chord's
-//! sign and at most three times its size. Fritsch and Butland (*A method for constructing local monotone piecewise cubic
-//! interpolants*, SIAM J. Sci. Stat. Comput. 5, 1984) choose such slopes from the two neighbouring chords alone: their
+//! SIAM Journal on Numerical Analysis 17, 1980) show that it stays within the two values if the slopes at its ends have
+//! the chord's sign and at most three times its size. Fritsch and Butland (*A method for constructing local monotone
+//! piecewise cubic interpolants*, SIAM Journal on Scientific and Statistical Computing 5, 1984) choose such slopes from the two neighbouring chords alone: their
 //! weighted harmonic mean, 0 where they differ in sign.
 
 /// The curve's first derivative at each of `times` (rising, at least two), in which it has the `values`.
