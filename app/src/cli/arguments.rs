@@ -39,7 +39,7 @@ pub(super) enum Subcommand {
     New(new::Arguments),
     /// Draw a scene as a PNG
     Render(render::Arguments),
-    /// Draw a flight along a camera path, as PNGs or a video
+    /// Draw a flight along a camera path, as PNG files or a video
     Fly(fly::Arguments),
     /// List the problems of scenes
     Check(check::Arguments),

@@ -17,7 +17,7 @@ pub enum Listing {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SteppedFade {
     listing: Listing,
-    /// In 255ths, as the article counts.
+    /// Of 255, as the article counts.
     alpha: f32,
     is_on: bool,
 }
