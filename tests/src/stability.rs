@@ -1,7 +1,8 @@
 //! How much a view changes for each metre flown: the figures by which methods of locking and sorting are judged.
 //!
-//! Three flights through one heap (straight through its middle; grazing; hovering where a sprite locks, with a
-//! millimetre of noise) and two hovers that look straight up and down while the head turns. Figures are in units of
+//! Four flights through one heap (straight through its middle; the same so slowly that each step is shorter than the miss;
+//! grazing; hovering where a sprite locks, with a millimetre of noise) and two hovers that look straight up and down
+//! while the head turns. Figures are in units of
 //! 1 / lock distance of the sprite that they are of, so that one bound holds for all sizes.
 
 use crate::small_scenes::heap;
@@ -72,14 +73,15 @@ pub fn flights() -> Vec<Flight> {
     let derived = Derived::new(&scene());
     let cloud = &derived.clouds()[0];
     let middle = cloud.origin + cloud.center.as_dvec3();
-    // As pilots would have it, the middle is where a sprite is: it is missed by a hand's breadth.
+    // As pilots would have it, the middle is where a sprite is: it is missed by half a metre.
     let from_middle = |sprite: &&Sprite| sprite.position.distance(cloud.center);
     let nearest = cloud.sprites.iter().min_by(|a, b| from_middle(a).total_cmp(&from_middle(b)));
-    let heart = nearest.map_or(middle, |sprite| cloud.origin + sprite.position.as_dvec3()) + DVec3::new(0.1, 0.05, 0.0);
+    let heart = nearest.map_or(middle, |sprite| cloud.origin + sprite.position.as_dvec3()) + DVec3::new(0.4, 0.2, 0.0);
     let sprite = &cloud.sprites[0];
     let locks = cloud.origin + sprite.position.as_dvec3() + DVec3::Z * f64::from(lock_distance(sprite.radius()));
     vec![
         Flight { name: "through", cameras: straight(heart + DVec3::Z * 400.0, heart - DVec3::Z * 400.0) },
+        Flight { name: "slowly through", cameras: straight(heart + DVec3::Z * 9.0, heart - DVec3::Z * 9.0) },
         Flight {
             name: "grazing",
             cameras: straight(middle + DVec3::new(-400.0, 130.0, 30.0), middle + DVec3::new(400.0, 110.0, -30.0)),

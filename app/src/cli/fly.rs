@@ -91,7 +91,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
     let derived = Derived::new(&scene);
     let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
-    let mut painter = Painter::new(arguments.renderer, !scene.aircraft.is_empty())?;
+    let mut painter = Painter::new(arguments.renderer)?;
+    if !scene.aircraft.is_empty() {
+        say("the scene's aircraft are left out: no renderer draws models yet");
+    }
     let progress = Progress::start("flying");
     let mut kept = 0;
     for (done, number) in numbers.clone().enumerate() {
@@ -119,14 +122,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 struct Painter {
     renderer: Renderer,
     choice: RendererChoice,
-    has_aircraft: bool,
 }
 
 impl Painter {
-    fn new(choice: RendererChoice, has_aircraft: bool) -> Result<Self, Failure> {
-        let painter = Self { renderer: Renderer::new(choice)?, choice, has_aircraft };
+    fn new(choice: RendererChoice) -> Result<Self, Failure> {
+        let painter = Self { renderer: Renderer::new(choice)?, choice };
         say(&format!("renderer: {}", painter.renderer.name()));
-        painter.say_what_is_missing();
         Ok(painter)
     }
 
@@ -135,16 +136,9 @@ impl Painter {
             Err(error) if self.choice == RendererChoice::Auto => {
                 say(&format!("renderer: CPU, because {error}"));
                 self.renderer = Renderer::Cpu;
-                self.say_what_is_missing();
                 Ok(self.renderer.picture(frame, 1)?)
             }
             done => Ok(done?),
-        }
-    }
-
-    fn say_what_is_missing(&self) {
-        if self.has_aircraft && matches!(self.renderer, Renderer::Cpu) {
-            say("the scene's aircraft are left out: the CPU draws no models");
         }
     }
 }

@@ -10,14 +10,14 @@ fn main() -> std::io::Result<()> {
         "Largest change a metre, times the sprite's lock distance: of its alpha, its facing, its up (weighted by"
     )?;
     writeln!(out, "alpha); and of any pixel from frame to frame beyond the truth's own, linear light.\n")?;
-    writeln!(out, "{:<20} {:<13} {:>9} {:>9} {:>9} {:>9}", "method", "flight", "alpha", "facing", "up", "pixel")?;
+    writeln!(out, "{:<20} {:<15} {:>9} {:>9} {:>9} {:>9}", "method", "flight", "alpha", "facing", "up", "pixel")?;
     let scene = scene();
     for (name, rule, sorting) in METHODS {
         for flight in flights() {
             let sprites = sprite_changes(&scene, &flight.cameras, *rule);
             let pixel = pixel_change(&scene, &flight.cameras, (*rule, *sorting), 4);
             let (alpha, facing, up) = (sprites.fade, sprites.facing, sprites.up);
-            writeln!(out, "{name:<20} {:<13} {alpha:>9.2} {facing:>9.2} {up:>9.2} {pixel:>9.4}", flight.name)?;
+            writeln!(out, "{name:<20} {:<15} {alpha:>9.2} {facing:>9.2} {up:>9.2} {pixel:>9.4}", flight.name)?;
         }
     }
     Ok(())
