@@ -4,6 +4,7 @@ use crate::camera::View;
 use crate::color::Rgb;
 use crate::derived::Derived;
 use crate::draw_list::{DrawList, Hidden};
+use crate::model_in_view::ModelInView;
 use crate::scene::{Camera, Scene};
 use crate::shading::Light;
 use crate::sky::{Background, Dome, GroundLook};
@@ -29,6 +30,8 @@ pub struct Frame<'a> {
     pub list: DrawList,
     /// Their tiles.
     pub atlas: &'a Atlas,
+    /// The aircraft in view, in any order.
+    pub models: Vec<ModelInView>,
 }
 
 impl<'a> Frame<'a> {
@@ -67,6 +70,7 @@ impl<'a> Frame<'a> {
             clouds,
             clouds_version: derived.version(),
             atlas,
+            models: Vec::new(),
         }
     }
 }

@@ -67,7 +67,7 @@ impl CloudData {
             groups: DataTexture::new(gpu, "shading groups"),
             clouds: DataTexture::new(gpu, "clouds"),
             offsets: DataTexture::new(gpu, "clouds from the eye"),
-            order: VertexBuffer::new(gpu),
+            order: VertexBuffer::new(gpu, "the list of sprites in view"),
             sprites_of_cloud: Vec::new(),
             uploaded: None,
             bytes_uploaded: 0,

@@ -2,7 +2,8 @@
 //!
 //! ```text
 //! sky       covers the linear target
-//! sprites   back to front over it
+//! models    over it, with depth, if there are any
+//! sprites   back to front over both, hidden behind the models
 //! tone_map  linear target → display target
 //! ```
 //! A new pass is a folder in pass/ and a line here.
@@ -10,23 +11,29 @@
 use crate::atlas_texture::AtlasTexture;
 use crate::cloud_data::CloudData;
 use crate::frame_uniform::FrameUniform;
+use crate::model_data::ModelData;
 use crate::pass::FrameBinding;
+use crate::pass::models::ModelsPass;
 use crate::pass::sky::SkyPass;
 use crate::pass::sprites::SpritesPass;
 use crate::pass::tone_map::ToneMapPass;
-use crate::texture::{DISPLAY_FORMAT, LINEAR_FORMAT, Target};
+use crate::texture::{DEPTH_FORMAT, DISPLAY_FORMAT, LINEAR_FORMAT, Target};
 use crate::{Gpu, RenderError};
 use cloudwright_core::frame::Frame;
+
+const CLEAR: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
 
 /// Everything that a frame is drawn with but the targets.
 #[derive(Debug)]
 pub(crate) struct Passes {
     frame: FrameBinding,
     sky: SkyPass,
+    models: ModelsPass,
     sprites: SpritesPass,
     tone_map: ToneMapPass,
     clouds: CloudData,
     atlas: AtlasTexture,
+    models_in_view: ModelData,
     sprites_binding: wgpu::BindGroup,
 }
 
@@ -35,6 +42,7 @@ pub(crate) struct Passes {
 pub(crate) struct Targets {
     pub(crate) size: [u32; 2],
     pub(crate) linear: Target,
+    depth: Target,
     pub(crate) display: Target,
     tone_map_binding: wgpu::BindGroup,
 }
@@ -46,12 +54,14 @@ impl Passes {
         let (clouds, atlas) = (CloudData::new(gpu), AtlasTexture::new(gpu));
         Self {
             sky: SkyPass::new(gpu, &frame),
+            models: ModelsPass::new(gpu, &frame),
             tone_map: ToneMapPass::new(gpu, &frame),
             sprites_binding: sprites.bind(gpu, &clouds, &atlas),
             frame,
             sprites,
             clouds,
             atlas,
+            models_in_view: ModelData::new(gpu),
         }
     }
 
@@ -59,6 +69,7 @@ impl Passes {
     pub(crate) fn update(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<(), RenderError> {
         self.frame.write(gpu, &FrameUniform::new(frame));
         self.atlas.update(gpu, frame.atlas);
+        self.models_in_view.update(gpu, frame)?;
         if self.clouds.update(gpu, frame)? {
             self.sprites_binding = self.sprites.bind(gpu, &self.clouds, &self.atlas);
         }
@@ -72,26 +83,32 @@ impl Passes {
 
     pub(crate) fn targets(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Targets, RenderError> {
         let linear = Target::new(gpu, "linear", LINEAR_FORMAT, size)?;
+        let depth = Target::new(gpu, "depth", DEPTH_FORMAT, size)?;
         let display = Target::new(gpu, "display", DISPLAY_FORMAT, size)?;
-        Ok(Targets { size, tone_map_binding: self.tone_map.bind(gpu, &linear), linear, display })
+        Ok(Targets { size, tone_map_binding: self.tone_map.bind(gpu, &linear), linear, depth, display })
     }
 
     /// A whole frame.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.sky.record(encoder, &self.frame, &targets.linear.view);
-        self.record_sprites(encoder, targets, wgpu::LoadOp::Load, None);
+        let depth = (!self.models_in_view.is_empty()).then_some(&targets.depth.view);
+        if let Some(depth) = depth {
+            self.models.record(encoder, &self.frame, &self.models_in_view, &targets.linear.view, depth);
+        }
+        let clouds = (&self.clouds, &self.sprites_binding);
+        let over = (&targets.linear.view, wgpu::LoadOp::Load);
+        self.sprites.record(encoder, &self.frame, clouds, over, depth, None);
         self.tone_map.record(encoder, &self.frame, &targets.tone_map_binding, &targets.display.view);
     }
 
-    /// The sprites alone.
+    /// The sprites alone, over nothing and before nothing.
     pub(crate) fn record_sprites(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         targets: &Targets,
-        load: wgpu::LoadOp<wgpu::Color>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
         let clouds = (&self.clouds, &self.sprites_binding);
-        self.sprites.record(encoder, &self.frame, clouds, (&targets.linear.view, load), timestamps);
+        self.sprites.record(encoder, &self.frame, clouds, (&targets.linear.view, CLEAR), None, timestamps);
     }
 }
