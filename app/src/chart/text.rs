@@ -44,7 +44,7 @@ pub fn figure(figure: Figure) -> String {
 
 /// A number that a person chose, such as a tick or a tolerance, with all its digits: 0.02, 500, 10 000.
 pub fn round_number(x: f64) -> String {
-    if x >= 1e4 && x < 1e15 { grouped(x) } else { x.to_string() }
+    if (1e4..1e15).contains(&x) { grouped(x) } else { x.to_string() }
 }
 
 /// "12 times", "3.4 times".
