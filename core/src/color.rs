@@ -10,7 +10,8 @@ use std::borrow::Cow;
 use std::ops::{Add, Mul};
 
 /// Linear RGB; 1 is the display's white before exposure, values above 1 are allowed. In files `[r, g, b]`.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(C)]
 pub struct Rgb {
     /// Red.
     pub r: f32,

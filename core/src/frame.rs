@@ -5,6 +5,7 @@ use crate::color::Rgb;
 use crate::derived::Derived;
 use crate::draw_list::{Choice, DrawList, Hidden};
 use crate::facing::Poses;
+use crate::model_in_view::{ModelInView, aircraft_in_view};
 use crate::scene::{Camera, Scene};
 use crate::shading::{Formed, Light, Veil, veil};
 use crate::sky::{Background, Dome, GroundLook};
@@ -37,6 +38,8 @@ pub struct Frame<'a> {
     pub veil: Veil,
     /// Their tiles.
     pub atlas: &'a Atlas,
+    /// The aircraft in view, in any order.
+    pub models: Vec<ModelInView>,
 }
 
 /// How a scene is looked at, for one frame.
@@ -93,6 +96,7 @@ impl<'a> Frame<'a> {
             formed,
             clouds_version,
             atlas,
+            models: aircraft_in_view(scene, clock_s, view.eye),
         }
     }
 

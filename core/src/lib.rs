@@ -21,6 +21,8 @@ pub mod frame;
 pub mod image;
 pub mod math;
 pub mod measure;
+pub mod model_in_view;
+pub mod model_mesh;
 pub mod parameter;
 pub mod preset;
 pub mod problem;

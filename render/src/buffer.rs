@@ -1,23 +1,25 @@
-//! A vertex buffer that grows: rewritten every frame, allocated anew only when a frame needs more.
+//! A vertex buffer that grows: rewritten whenever its elements change, allocated anew only when they need more.
 
 use crate::{Gpu, RenderError};
 
 /// Elements for the vertex stage.
 #[derive(Debug)]
 pub(crate) struct VertexBuffer {
+    what: &'static str,
     buffer: wgpu::Buffer,
     count: u32,
     bytes: u64,
 }
 
 impl VertexBuffer {
-    pub(crate) fn new(gpu: &Gpu) -> Self {
-        Self { buffer: Self::with_size(gpu, 1024), count: 0, bytes: 0 }
+    /// Empty; `what` it holds, for messages.
+    pub(crate) fn new(gpu: &Gpu, what: &'static str) -> Self {
+        Self { what, buffer: Self::with_size(gpu, what, 1024), count: 0, bytes: 0 }
     }
 
-    fn with_size(gpu: &Gpu, size: u64) -> wgpu::Buffer {
+    fn with_size(gpu: &Gpu, what: &str, size: u64) -> wgpu::Buffer {
         gpu.device().create_buffer(&wgpu::BufferDescriptor {
-            label: Some("sprites in draw order"),
+            label: Some(what),
             size,
             usage: wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_DST,
             mapped_at_creation: false,
@@ -33,16 +35,16 @@ impl VertexBuffer {
         let (wanted, limit) = (bytes.len() as u64, gpu.device().limits().max_buffer_size);
         if wanted > limit {
             return Err(RenderError::TooLarge {
-                what: "the list of sprites in view",
+                what: self.what,
                 wanted,
                 limit_name: "max_buffer_size",
                 limit,
-                remedy: "show fewer sprites, or draw on the CPU",
+                remedy: "show less, or draw on the CPU",
             });
         }
         if wanted > self.buffer.size() {
             // Room to grow, so that a flight into a cloud does not allocate every frame.
-            self.buffer = Self::with_size(gpu, (wanted + wanted / 2).next_multiple_of(4).min(limit));
+            self.buffer = Self::with_size(gpu, self.what, (wanted + wanted / 2).next_multiple_of(4).min(limit));
         }
         gpu.queue().write_buffer(&self.buffer, 0, bytes);
         (self.count, self.bytes) = (elements.len() as u32, wanted);

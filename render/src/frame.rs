@@ -2,8 +2,9 @@
 //!
 //! ```text
 //! sky        covers the linear target
-//! sprites    back to front over it
-//! crossfade  while another order fades out: sky and sprites again in that one, mixed in
+//! models     over it, with depth, if there are any
+//! sprites    back to front over both, hidden behind the models
+//! crossfade  while another order fades out: all of that again in that one, mixed in
 //! veil       inside a cloud: the air before everything
 //! tone_map   linear target → display target
 //! ```
@@ -12,27 +13,33 @@
 use crate::atlas_texture::AtlasTexture;
 use crate::cloud_data::CloudData;
 use crate::frame_uniform::FrameUniform;
+use crate::model_data::ModelData;
 use crate::pass::FrameBinding;
 use crate::pass::crossfade::CrossfadePass;
+use crate::pass::models::ModelsPass;
 use crate::pass::sky::SkyPass;
 use crate::pass::sprites::SpritesPass;
 use crate::pass::tone_map::ToneMapPass;
 use crate::pass::veil::VeilPass;
-use crate::texture::{DISPLAY_FORMAT, LINEAR_FORMAT, Target};
+use crate::texture::{DEPTH_FORMAT, DISPLAY_FORMAT, LINEAR_FORMAT, Target};
 use crate::{Gpu, RenderError};
 use cloudwright_core::frame::Frame;
+
+const CLEAR: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
 
 /// Everything that a frame is drawn with but the targets.
 #[derive(Debug)]
 pub(crate) struct Passes {
     frame: FrameBinding,
     sky: SkyPass,
+    models: ModelsPass,
     sprites: SpritesPass,
     crossfade: CrossfadePass,
     veil: VeilPass,
     tone_map: ToneMapPass,
     clouds: CloudData,
     atlas: AtlasTexture,
+    models_in_view: ModelData,
     sprites_binding: wgpu::BindGroup,
     /// Of this frame: the share of the older order, if one fades out, and whether there is a veil.
     fading: Option<f32>,
@@ -44,6 +51,7 @@ pub(crate) struct Passes {
 pub(crate) struct Targets {
     pub(crate) size: [u32; 2],
     pub(crate) linear: Target,
+    depth: Target,
     pub(crate) display: Target,
     tone_map_binding: wgpu::BindGroup,
     /// The picture in the order that fades out, once there has been one, and the binding that reads it.
@@ -57,6 +65,7 @@ impl Passes {
         let (clouds, atlas) = (CloudData::new(gpu), AtlasTexture::new(gpu));
         Self {
             sky: SkyPass::new(gpu, &frame),
+            models: ModelsPass::new(gpu, &frame),
             crossfade: CrossfadePass::new(gpu, &frame),
             veil: VeilPass::new(gpu, &frame),
             tone_map: ToneMapPass::new(gpu, &frame),
@@ -65,6 +74,7 @@ impl Passes {
             sprites,
             clouds,
             atlas,
+            models_in_view: ModelData::new(gpu),
             fading: None,
             veiled: false,
         }
@@ -74,6 +84,7 @@ impl Passes {
     pub(crate) fn update(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<(), RenderError> {
         self.frame.write(gpu, &FrameUniform::new(frame));
         self.atlas.update(gpu, frame.atlas);
+        self.models_in_view.update(gpu, frame)?;
         if self.clouds.update(gpu, frame)? {
             self.sprites_binding = self.sprites.bind(gpu, &self.clouds, &self.atlas);
         }
@@ -89,8 +100,10 @@ impl Passes {
 
     pub(crate) fn targets(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Targets, RenderError> {
         let linear = Target::new(gpu, "linear", LINEAR_FORMAT, size)?;
+        let depth = Target::new(gpu, "depth", DEPTH_FORMAT, size)?;
         let display = Target::new(gpu, "display", DISPLAY_FORMAT, size)?;
-        Ok(Targets { size, tone_map_binding: self.tone_map.bind(gpu, &linear), linear, display, older: None })
+        let tone_map_binding = self.tone_map.bind(gpu, &linear);
+        Ok(Targets { size, tone_map_binding, linear, depth, display, older: None })
     }
 
     /// Sees to it that `targets` has all that the updated frame is drawn into.
@@ -106,28 +119,46 @@ impl Passes {
     /// A whole frame.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.sky.record(encoder, &self.frame, &targets.linear.view);
+        self.record_behind(encoder, &targets.linear.view, targets);
         if let Some((older, _)) = self.older(targets) {
-            self.sky.record(encoder, &self.frame, older);
+            self.record_behind(encoder, older, targets);
         }
-        self.record_clouds(encoder, targets, wgpu::LoadOp::Load);
+        self.record_in_orders(encoder, targets, wgpu::LoadOp::Load, self.depth(targets));
         self.tone_map.record(encoder, &self.frame, &targets.tone_map_binding, &targets.display.view);
     }
 
-    /// Sprites and what comes over them.
-    pub(crate) fn record_clouds(
+    /// The clouds alone, over nothing and before nothing.
+    pub(crate) fn record_clouds(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
+        self.record_in_orders(encoder, targets, CLEAR, None);
+    }
+
+    /// Sky and models.
+    fn record_behind(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView, targets: &Targets) {
+        self.sky.record(encoder, &self.frame, target);
+        if let Some(depth) = self.depth(targets) {
+            self.models.record(encoder, &self.frame, &self.models_in_view, target, depth);
+        }
+    }
+
+    /// Sprites, in the order that fades out too, and what comes over them.
+    fn record_in_orders(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         targets: &Targets,
         load: wgpu::LoadOp<wgpu::Color>,
+        depth: Option<&wgpu::TextureView>,
     ) {
-        self.record_sprites(encoder, targets, load, None);
+        let linear = &targets.linear.view;
+        let sprites = |encoder: &mut wgpu::CommandEncoder, order, target| {
+            self.sprites.record(encoder, &self.frame, (order, &self.sprites_binding), (target, load), depth, None);
+        };
+        sprites(encoder, &self.clouds.order, linear);
         if let (Some((older, binding)), Some(share)) = (self.older(targets), self.fading) {
-            let order = (&self.clouds.older_order, &self.sprites_binding);
-            self.sprites.record(encoder, &self.frame, order, (older, load), None);
-            self.crossfade.record(encoder, &self.frame, binding, share, &targets.linear.view);
+            sprites(encoder, &self.clouds.older_order, older);
+            self.crossfade.record(encoder, &self.frame, binding, share, linear);
         }
         if self.veiled {
-            self.veil.record(encoder, &self.frame, &targets.linear.view);
+            self.veil.record(encoder, &self.frame, linear);
         }
     }
 
@@ -136,15 +167,19 @@ impl Passes {
         self.fading.and(targets.older.as_ref()).map(|(target, binding)| (&target.view, binding))
     }
 
-    /// The sprites alone.
+    /// That of the models, if there are any.
+    fn depth<'t>(&self, targets: &'t Targets) -> Option<&'t wgpu::TextureView> {
+        (!self.models_in_view.is_empty()).then_some(&targets.depth.view)
+    }
+
+    /// The sprites alone, over nothing and before nothing.
     pub(crate) fn record_sprites(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         targets: &Targets,
-        load: wgpu::LoadOp<wgpu::Color>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
         let order = (&self.clouds.order, &self.sprites_binding);
-        self.sprites.record(encoder, &self.frame, order, (&targets.linear.view, load), timestamps);
+        self.sprites.record(encoder, &self.frame, order, (&targets.linear.view, CLEAR), None, timestamps);
     }
 }

@@ -23,6 +23,7 @@ mod frame;
 mod frame_uniform;
 mod gpu;
 pub mod layout;
+mod model_data;
 mod pass;
 mod readback;
 mod renderer;

@@ -70,7 +70,7 @@ impl Renderer {
     /// As [`Renderer::picture`].
     pub fn clouds(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<Layer, RenderError> {
         let (passes, targets) = self.update(gpu, frame)?;
-        submit(gpu, |encoder| passes.record_clouds(encoder, targets, CLEAR))?;
+        submit(gpu, |encoder| passes.record_clouds(encoder, targets))?;
         let [width, height] = targets.size;
         let bytes = read_texture(gpu, &targets.linear.texture, 8)?;
         let pixels = texels_from_f16(&bytes).map(|[r, g, b, a]| Premultiplied { r, g, b, a }).collect();
@@ -91,7 +91,7 @@ impl Renderer {
         };
         let start = Instant::now();
         submit(gpu, |encoder| {
-            passes.record_sprites(encoder, targets, CLEAR, timer.as_ref().map(PassTimer::writes));
+            passes.record_sprites(encoder, targets, timer.as_ref().map(PassTimer::writes));
             if let Some(timer) = timer {
                 timer.resolve(encoder);
             }
@@ -132,8 +132,6 @@ impl Renderer {
         Ok((&self.passes, targets))
     }
 }
-
-const CLEAR: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT);
 
 fn submit(gpu: &Gpu, record: impl FnOnce(&mut wgpu::CommandEncoder)) -> Result<(), RenderError> {
     let mut encoder = gpu.device().create_command_encoder(&wgpu::CommandEncoderDescriptor { label: Some("frame") });

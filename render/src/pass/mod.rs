@@ -1,6 +1,7 @@
 //! The steps of a frame, one folder each; frame.rs says in which order they run.
 
 pub(crate) mod crossfade;
+pub(crate) mod models;
 pub(crate) mod sky;
 pub(crate) mod sprites;
 pub(crate) mod tone_map;
@@ -117,12 +118,13 @@ fn bind_picture(gpu: &Gpu, label: &str, layout: &wgpu::BindGroupLayout, picture:
     })
 }
 
-/// Begins a render pass on one target.
+/// Begins a render pass on one target, with or without a depth beside it.
 fn begin<'a>(
     encoder: &'a mut wgpu::CommandEncoder,
     label: &str,
     view: &wgpu::TextureView,
     load: wgpu::LoadOp<wgpu::Color>,
+    depth: Option<wgpu::RenderPassDepthStencilAttachment<'_>>,
     timestamp_writes: Option<wgpu::RenderPassTimestampWrites<'_>>,
 ) -> wgpu::RenderPass<'a> {
     encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -133,7 +135,7 @@ fn begin<'a>(
             resolve_target: None,
             ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
         })],
-        depth_stencil_attachment: None,
+        depth_stencil_attachment: depth,
         timestamp_writes,
         occlusion_query_set: None,
         multiview_mask: None,

@@ -44,3 +44,11 @@ fn ray_through(position_px: vec2f) -> vec3f {
         + frame.right_in_world * ((position_px.x - 0.5 * frame.width_px) * frame.pixel)
         + frame.up_in_world * ((0.5 * frame.height_px - position_px.y) * frame.pixel);
 }
+
+// An eye-relative point in clip space. Depth is reversed: 1 at the near plane, 0 at infinity.
+fn project(point: vec3f) -> vec4f {
+    let depth = dot(point, frame.forward_in_world);
+    let to_clip = 2.0 / (frame.pixel * vec2f(frame.width_px, frame.height_px));
+    let on_plane = vec2f(dot(point, frame.right_in_world), dot(point, frame.up_in_world));
+    return vec4f(on_plane * to_clip, frame.near_m, depth);
+}

@@ -18,6 +18,11 @@ pub fn sprites() -> String {
     [FRAME, MATH, DOME, data, include_str!("../pass/sprites/sprites.wgsl")].join("\n")
 }
 
+/// The aircraft.
+pub fn models() -> String {
+    [FRAME, MATH, DOME, include_str!("../pass/models/models.wgsl")].join("\n")
+}
+
 /// The air inside a cloud.
 pub fn veil() -> String {
     [FRAME, FULL_SCREEN, include_str!("../pass/veil/veil.wgsl")].join("\n")
@@ -35,7 +40,14 @@ pub fn tone_map() -> String {
 
 /// Every shader there is, by the name of its pass; for tests that need no GPU.
 pub fn all() -> Vec<(&'static str, String)> {
-    vec![("sky", sky()), ("sprites", sprites()), ("crossfade", crossfade()), ("veil", veil()), ("tone_map", tone_map())]
+    vec![
+        ("sky", sky()),
+        ("models", models()),
+        ("sprites", sprites()),
+        ("crossfade", crossfade()),
+        ("veil", veil()),
+        ("tone_map", tone_map()),
+    ]
 }
 
 pub(crate) fn module(device: &wgpu::Device, label: &str, source: String) -> wgpu::ShaderModule {

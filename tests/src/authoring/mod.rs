@@ -4,6 +4,7 @@
 //! consistent and lets a change of taste be made in one place. `cargo run -p cloudwright-tests --bin renew` writes
 //! them again.
 
+pub mod aircraft;
 mod altocumulus;
 mod ball;
 mod cumulonimbus;

@@ -1,4 +1,4 @@
-//! Makes what is checked in again: `renew atlas | scenes | presets | schema | shortcuts | pictures DIR`.
+//! Makes what is checked in again: `renew atlas | scenes | presets | models | schema | shortcuts | pictures DIR`.
 //!
 //! Run in the project's root. Tests say when one of them, pictures apart, is stale.
 
@@ -23,12 +23,18 @@ fn main() -> Result<(), Box<dyn Error>> {
         }
         ["scenes"] => write_scenes("assets/scenes", authoring::SCENES),
         ["presets"] => write_scenes("assets/presets", authoring::PRESETS),
+        ["models"] => write_models(),
         ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
         ["shortcuts"] => Ok(fs::write("README.md", with_shortcuts(&fs::read_to_string("README.md")?)?)?),
         ["pictures", folder] => pictures(folder.as_ref(), ""),
         ["pictures", folder, only] => pictures(folder.as_ref(), only),
-        _ => Err("usage: renew atlas | scenes | presets | schema | shortcuts | pictures DIR [SCENE]".into()),
+        _ => Err("usage: renew atlas | scenes | presets | models | schema | shortcuts | pictures DIR [SCENE]".into()),
     }
+}
+
+fn write_models() -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all("assets/models")?;
+    Ok(fs::write("assets/models/aircraft.glb", authoring::aircraft::glb())?)
 }
 
 fn write_scenes(folder: &str, scenes: &[NamedScene]) -> Result<(), Box<dyn Error>> {

@@ -41,7 +41,7 @@ impl CrossfadePass {
         share: f32,
         target: &wgpu::TextureView,
     ) {
-        let mut pass = begin(encoder, "crossfade", target, wgpu::LoadOp::Load, None);
+        let mut pass = begin(encoder, "crossfade", target, wgpu::LoadOp::Load, None, None);
         let share = f64::from(share);
         pass.set_pipeline(&self.pipeline);
         pass.set_blend_constant(wgpu::Color { r: share, g: share, b: share, a: share });

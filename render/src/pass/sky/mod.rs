@@ -26,7 +26,7 @@ impl SkyPass {
 
     /// Covers all of `target`.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, frame: &FrameBinding, target: &wgpu::TextureView) {
-        let mut pass = begin(encoder, "sky", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
+        let mut pass = begin(encoder, "sky", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None, None);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
         pass.draw(0..3, 0..1);

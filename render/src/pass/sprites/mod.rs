@@ -1,8 +1,10 @@
 //! The sprites: instanced quads, back to front, premultiplied `over`.
 //!
 //! An instance is three numbers: the cloud, the sprite, and the pose of one near the eye. The vertex shader reads what they
-//! are from data textures, turns the quad to the eye and lights its corners. There is no depth buffer: the draw list's order is the order.
+//! are from data textures, turns the quad to the eye and lights its corners. Among themselves sprites have no depth, the
+//! draw list's order is the order; where there are models, sprites behind them are hidden and those before them veil them.
 
+use super::models::nearer;
 use super::{FrameBinding, begin};
 use crate::atlas_texture::AtlasTexture;
 use crate::buffer::VertexBuffer;
@@ -13,6 +15,7 @@ use crate::{Gpu, shader};
 #[derive(Debug)]
 pub(crate) struct SpritesPass {
     pipeline: wgpu::RenderPipeline,
+    among_models: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
 }
@@ -53,8 +56,13 @@ impl SpritesPass {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        let pipeline = pipeline(gpu, &[Some(&frame.layout), Some(&layout)]);
-        Self { pipeline, layout, sampler }
+        let layouts = [Some(&frame.layout), Some(&layout)];
+        Self {
+            pipeline: pipeline(gpu, &layouts, None),
+            among_models: pipeline(gpu, &layouts, Some(nearer(false))),
+            layout,
+            sampler,
+        }
     }
 
     /// The binding that reads `clouds` and `atlas`; stale when a texture of theirs is replaced.
@@ -73,20 +81,23 @@ impl SpritesPass {
         })
     }
 
-    /// Blends the sprites in `order` over what `target` shows, or over nothing where `load` clears it.
+    /// Blends the sprites in `order` over what `target` shows, or over nothing where `load` clears it; only those that are
+    /// nearer than the `models`, if there is a depth of such.
     pub(crate) fn record(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         frame: &FrameBinding,
         (order, binding): (&VertexBuffer, &wgpu::BindGroup),
         (target, load): (&wgpu::TextureView, wgpu::LoadOp<wgpu::Color>),
+        models: Option<&wgpu::TextureView>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        let mut pass = begin(encoder, "sprites", target, load, timestamps);
+        let read_only = |view| wgpu::RenderPassDepthStencilAttachment { view, depth_ops: None, stencil_ops: None };
+        let mut pass = begin(encoder, "sprites", target, load, models.map(read_only), timestamps);
         if order.count() == 0 {
             return;
         }
-        pass.set_pipeline(&self.pipeline);
+        pass.set_pipeline(if models.is_some() { &self.among_models } else { &self.pipeline });
         pass.set_bind_group(0, &frame.group, &[]);
         pass.set_bind_group(1, binding, &[]);
         pass.set_vertex_buffer(0, order.slice());
@@ -107,7 +118,11 @@ fn data_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
     }
 }
 
-fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::RenderPipeline {
+fn pipeline(
+    gpu: &Gpu,
+    layouts: &[Option<&wgpu::BindGroupLayout>],
+    depth: Option<wgpu::DepthStencilState>,
+) -> wgpu::RenderPipeline {
     let device = gpu.device();
     let module = shader::module(device, "sprites", shader::sprites());
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -129,7 +144,7 @@ fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::Rend
             })],
         },
         primitive: wgpu::PrimitiveState { topology: wgpu::PrimitiveTopology::TriangleStrip, ..Default::default() },
-        depth_stencil: None,
+        depth_stencil: depth,
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module: &module,

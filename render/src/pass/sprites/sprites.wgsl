@@ -70,14 +70,6 @@ fn draw_sprite(in: Corner) -> @location(0) vec4f {
     return light.a * vec4f(min(rgb, vec3f(BRIGHTEST * texel.a)), texel.a);
 }
 
-// Depth runs from the near plane to infinity; there is no depth buffer, z only clips.
-fn project(point: vec3f) -> vec4f {
-    let depth = dot(point, frame.forward_in_world);
-    let to_clip = 2.0 / (frame.pixel * vec2f(frame.width_px, frame.height_px));
-    let on_plane = vec2f(dot(point, frame.right_in_world), dot(point, frame.up_in_world));
-    return vec4f(on_plane * to_clip, depth - frame.near_m, depth);
-}
-
 // log₂ of the tile's texels that fall on a pixel, sharpened, within the levels there are.
 fn mip_level(center: vec3f, sprite: Sprite) -> f32 {
     let depth = max(dot(center, frame.forward_in_world), frame.near_m);

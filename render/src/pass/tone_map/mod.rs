@@ -32,7 +32,7 @@ impl ToneMapPass {
         linear: &wgpu::BindGroup,
         target: &wgpu::TextureView,
     ) {
-        let mut pass = begin(encoder, "tone map", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None);
+        let mut pass = begin(encoder, "tone map", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None, None);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
         pass.set_bind_group(1, linear, &[]);

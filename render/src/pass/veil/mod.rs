@@ -21,7 +21,7 @@ impl VeilPass {
 
     /// Over all that `target` shows.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, frame: &FrameBinding, target: &wgpu::TextureView) {
-        let mut pass = begin(encoder, "veil", target, wgpu::LoadOp::Load, None);
+        let mut pass = begin(encoder, "veil", target, wgpu::LoadOp::Load, None, None);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
         pass.draw(0..3, 0..1);
