@@ -3,7 +3,7 @@
 //! ```text
 //! sky       covers the linear target
 //! models    over it, with depth, if there are any
-//! sprites   back to front over both, hidden behind the models
+//! sprites   back to front over both, as far as they lie before the models
 //! tone_map  linear target → display target
 //! ```
 //! A new pass is a folder in pass/ and a line here.
@@ -43,6 +43,7 @@ pub(crate) struct Targets {
     pub(crate) size: [u32; 2],
     pub(crate) linear: Target,
     depth: Target,
+    depth_binding: wgpu::BindGroup,
     pub(crate) display: Target,
     tone_map_binding: wgpu::BindGroup,
 }
@@ -85,19 +86,27 @@ impl Passes {
         let linear = Target::new(gpu, "linear", LINEAR_FORMAT, size)?;
         let depth = Target::new(gpu, "depth", DEPTH_FORMAT, size)?;
         let display = Target::new(gpu, "display", DISPLAY_FORMAT, size)?;
-        Ok(Targets { size, tone_map_binding: self.tone_map.bind(gpu, &linear), linear, depth, display })
+        Ok(Targets {
+            size,
+            depth_binding: self.sprites.bind_models(gpu, &depth),
+            tone_map_binding: self.tone_map.bind(gpu, &linear),
+            linear,
+            depth,
+            display,
+        })
     }
 
     /// A whole frame.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.sky.record(encoder, &self.frame, &targets.linear.view);
-        let depth = (!self.models_in_view.is_empty()).then_some(&targets.depth.view);
-        if let Some(depth) = depth {
-            self.models.record(encoder, &self.frame, &self.models_in_view, &targets.linear.view, depth);
+        let models = (!self.models_in_view.is_empty()).then_some(&targets.depth_binding);
+        if models.is_some() {
+            let Targets { linear, depth, .. } = targets;
+            self.models.record(encoder, &self.frame, &self.models_in_view, &linear.view, &depth.view);
         }
         let clouds = (&self.clouds, &self.sprites_binding);
         let over = (&targets.linear.view, wgpu::LoadOp::Load);
-        self.sprites.record(encoder, &self.frame, clouds, over, depth, None);
+        self.sprites.record(encoder, &self.frame, clouds, over, models, None);
         self.tone_map.record(encoder, &self.frame, &targets.tone_map_binding, &targets.display.view);
     }
 

@@ -5,6 +5,7 @@ mod assets;
 mod derived;
 mod draw_list;
 mod export;
+mod model_glb;
 mod overdraw;
 mod raster;
 mod scene_file;
