@@ -42,10 +42,10 @@ pub(crate) struct Passes {
 pub(crate) struct Targets {
     pub(crate) size: [u32; 2],
     pub(crate) linear: Target,
-    depth: Target,
-    depth_binding: wgpu::BindGroup,
     pub(crate) display: Target,
     tone_map_binding: wgpu::BindGroup,
+    /// The models' depth and the sprites' binding of it, made for the first frame that has models.
+    depth: Option<(Target, wgpu::BindGroup)>,
 }
 
 impl Passes {
@@ -84,29 +84,30 @@ impl Passes {
 
     pub(crate) fn targets(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Targets, RenderError> {
         let linear = Target::new(gpu, "linear", LINEAR_FORMAT, size)?;
-        let depth = Target::new(gpu, "depth", DEPTH_FORMAT, size)?;
         let display = Target::new(gpu, "display", DISPLAY_FORMAT, size)?;
-        Ok(Targets {
-            size,
-            depth_binding: self.sprites.bind_models(gpu, &depth),
-            tone_map_binding: self.tone_map.bind(gpu, &linear),
-            linear,
-            depth,
-            display,
-        })
+        Ok(Targets { size, tone_map_binding: self.tone_map.bind(gpu, &linear), linear, display, depth: None })
+    }
+
+    /// Gives `targets` a depth if the last update's frame needs one.
+    pub(crate) fn complete(&self, gpu: &Gpu, targets: &mut Targets) -> Result<(), RenderError> {
+        if targets.depth.is_none() && !self.models_in_view.is_empty() {
+            let depth = Target::new(gpu, "depth", DEPTH_FORMAT, targets.size)?;
+            let binding = self.sprites.bind_models(gpu, &depth);
+            targets.depth = Some((depth, binding));
+        }
+        Ok(())
     }
 
     /// A whole frame.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
         self.sky.record(encoder, &self.frame, &targets.linear.view);
-        let models = (!self.models_in_view.is_empty()).then_some(&targets.depth_binding);
-        if models.is_some() {
-            let Targets { linear, depth, .. } = targets;
-            self.models.record(encoder, &self.frame, &self.models_in_view, &linear.view, &depth.view);
+        let depth = targets.depth.as_ref().filter(|_| !self.models_in_view.is_empty());
+        if let Some((depth, _)) = depth {
+            self.models.record(encoder, &self.frame, &self.models_in_view, &targets.linear.view, &depth.view);
         }
         let clouds = (&self.clouds, &self.sprites_binding);
         let over = (&targets.linear.view, wgpu::LoadOp::Load);
-        self.sprites.record(encoder, &self.frame, clouds, over, models, None);
+        self.sprites.record(encoder, &self.frame, clouds, over, depth.map(|(_, binding)| binding), None);
         self.tone_map.record(encoder, &self.frame, &targets.tone_map_binding, &targets.display.view);
     }
 

@@ -127,6 +127,7 @@ impl Renderer {
         };
         let targets = self.targets.insert(targets);
         self.passes.update(gpu, frame)?;
+        self.passes.complete(gpu, targets)?;
         gpu.check()?;
         Ok((&self.passes, targets))
     }
