@@ -3,7 +3,7 @@
 //! ```text
 //! sky        covers the linear target
 //! models     over it, with depth, if there are any
-//! sprites    back to front over both, hidden behind the models
+//! sprites    back to front over both, as far as they lie before the models
 //! crossfade  while another order fades out: all of that again in that one, mixed in
 //! veil       inside a cloud: the air before everything
 //! tone_map   linear target → display target
@@ -51,11 +51,12 @@ pub(crate) struct Passes {
 pub(crate) struct Targets {
     pub(crate) size: [u32; 2],
     pub(crate) linear: Target,
-    depth: Target,
     pub(crate) display: Target,
     tone_map_binding: wgpu::BindGroup,
     /// The picture in the order that fades out, once there has been one, and the binding that reads it.
     older: Option<(Target, wgpu::BindGroup)>,
+    /// The models' depth and the sprites' binding of it, made for the first frame that has models.
+    depth: Option<(Target, wgpu::BindGroup)>,
 }
 
 impl Passes {
@@ -100,10 +101,9 @@ impl Passes {
 
     pub(crate) fn targets(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Targets, RenderError> {
         let linear = Target::new(gpu, "linear", LINEAR_FORMAT, size)?;
-        let depth = Target::new(gpu, "depth", DEPTH_FORMAT, size)?;
         let display = Target::new(gpu, "display", DISPLAY_FORMAT, size)?;
         let tone_map_binding = self.tone_map.bind(gpu, &linear);
-        Ok(Targets { size, tone_map_binding, linear, depth, display, older: None })
+        Ok(Targets { size, tone_map_binding, linear, display, older: None, depth: None })
     }
 
     /// Sees to it that `targets` has all that the updated frame is drawn into.
@@ -113,17 +113,21 @@ impl Passes {
             let binding = self.crossfade.bind(gpu, &older);
             targets.older = Some((older, binding));
         }
+        if targets.depth.is_none() && !self.models_in_view.is_empty() {
+            let depth = Target::new(gpu, "depth", DEPTH_FORMAT, targets.size)?;
+            let binding = self.sprites.bind_models(gpu, &depth);
+            targets.depth = Some((depth, binding));
+        }
         Ok(())
     }
 
     /// A whole frame.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
-        self.sky.record(encoder, &self.frame, &targets.linear.view);
         self.record_behind(encoder, &targets.linear.view, targets);
         if let Some((older, _)) = self.older(targets) {
             self.record_behind(encoder, older, targets);
         }
-        self.record_in_orders(encoder, targets, wgpu::LoadOp::Load, self.depth(targets));
+        self.record_in_orders(encoder, targets, wgpu::LoadOp::Load, self.depth(targets).map(|(_, binding)| binding));
         self.tone_map.record(encoder, &self.frame, &targets.tone_map_binding, &targets.display.view);
     }
 
@@ -135,8 +139,8 @@ impl Passes {
     /// Sky and models.
     fn record_behind(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView, targets: &Targets) {
         self.sky.record(encoder, &self.frame, target);
-        if let Some(depth) = self.depth(targets) {
-            self.models.record(encoder, &self.frame, &self.models_in_view, target, depth);
+        if let Some((depth, _)) = self.depth(targets) {
+            self.models.record(encoder, &self.frame, &self.models_in_view, target, &depth.view);
         }
     }
 
@@ -146,11 +150,11 @@ impl Passes {
         encoder: &mut wgpu::CommandEncoder,
         targets: &Targets,
         load: wgpu::LoadOp<wgpu::Color>,
-        depth: Option<&wgpu::TextureView>,
+        models: Option<&wgpu::BindGroup>,
     ) {
         let linear = &targets.linear.view;
         let sprites = |encoder: &mut wgpu::CommandEncoder, order, target| {
-            self.sprites.record(encoder, &self.frame, (order, &self.sprites_binding), (target, load), depth, None);
+            self.sprites.record(encoder, &self.frame, (order, &self.sprites_binding), (target, load), models, None);
         };
         sprites(encoder, &self.clouds.order, linear);
         if let (Some((older, binding)), Some(share)) = (self.older(targets), self.fading) {
@@ -168,8 +172,8 @@ impl Passes {
     }
 
     /// That of the models, if there are any.
-    fn depth<'t>(&self, targets: &'t Targets) -> Option<&'t wgpu::TextureView> {
-        (!self.models_in_view.is_empty()).then_some(&targets.depth.view)
+    fn depth<'t>(&self, targets: &'t Targets) -> Option<&'t (Target, wgpu::BindGroup)> {
+        targets.depth.as_ref().filter(|_| !self.models_in_view.is_empty())
     }
 
     /// The sprites alone, over nothing and before nothing.

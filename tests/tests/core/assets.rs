@@ -88,6 +88,13 @@ fn overcast_is_the_performance_scene() {
 }
 
 #[test]
+fn aircraft_is_fresh() {
+    let bytes = fs::read(root().join("assets/models/aircraft.glb")).expect("the aircraft");
+    let made = authoring::aircraft::glb();
+    assert!(bytes == made, "stale: run `cargo run -p cloudwright-tests --bin renew -- models`");
+}
+
+#[test]
 fn atlas_is_fresh() {
     let bytes = fs::read(root().join("assets/atlas/clouds.png")).expect("the sheet");
     let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().expect("a PNG");

@@ -6,6 +6,7 @@ mod derived;
 mod draw_list;
 mod export;
 mod flight;
+mod model_glb;
 mod overdraw;
 mod raster;
 mod scene_file;

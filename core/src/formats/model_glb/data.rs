@@ -1,6 +1,6 @@
 //! The numbers of a glTF file: buffers, the views into them, and the accessors that say what a view's bytes are.
 //!
-//! Every length is checked before a byte is read. Sparse accessors are refused: no exporter writes shapes as such.
+//! Every length is checked before a byte is read. Sparse accessors, mostly used for morph targets, are refused.
 
 use super::{ModelError, broken};
 use glam::Vec3;

@@ -1,8 +1,8 @@
-//! The aircraft: opaque, before the sprites, with a depth that these are tested against.
+//! The aircraft: opaque, before the sprites, which read their depth.
 //!
-//! Depth is reversed, 1 at the near plane and 0 at infinity: a float's precision then lies where a quotient needs it,
-//! and a kilometre away things a centimetre apart are told apart (Lapidous and Jiao 1999). On OpenGL, which maps depth
-//! from −1 to 1 in between, it is half a metre. The depth texture is another pass's to read as long as models are drawn.
+//! Depth is reversed, 1 at the near plane and 0 at infinity: a float's precision then lies where the quotient needs it,
+//! and a kilometre away things a millimetre apart are told apart (Lapidous and Jiao 1999). OpenGL's way over −1 to 1
+//! leaves it half a metre there.
 
 use super::{FrameBinding, begin};
 use crate::model_data::{ModelData, Placed};
@@ -45,17 +45,6 @@ impl ModelsPass {
     }
 }
 
-/// Nearer than what is there, on reversed depth. Sprites are tested, and don't write.
-pub(crate) fn nearer(write: bool) -> wgpu::DepthStencilState {
-    wgpu::DepthStencilState {
-        format: DEPTH_FORMAT,
-        depth_write_enabled: Some(write),
-        depth_compare: Some(wgpu::CompareFunction::Greater),
-        stencil: wgpu::StencilState::default(),
-        bias: wgpu::DepthBiasState::default(),
-    }
-}
-
 fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::RenderPipeline {
     let device = gpu.device();
     let module = shader::module(device, "models", shader::models());
@@ -85,7 +74,13 @@ fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::Rend
             ],
         },
         primitive: wgpu::PrimitiveState::default(),
-        depth_stencil: Some(nearer(true)),
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: DEPTH_FORMAT,
+            depth_write_enabled: Some(true),
+            depth_compare: Some(wgpu::CompareFunction::Greater),
+            stencil: wgpu::StencilState::default(),
+            bias: wgpu::DepthBiasState::default(),
+        }),
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module: &module,

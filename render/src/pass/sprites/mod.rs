@@ -1,15 +1,14 @@
 //! The sprites: instanced quads, back to front, premultiplied `over`.
 //!
 //! An instance is three numbers: the cloud, the sprite, and the pose of one near the eye. The vertex shader reads what they
-//! are from data textures, turns the quad to the eye and lights its corners. Among themselves sprites have no depth, the
-//! draw list's order is the order; where there are models, sprites behind them are hidden and those before them veil them.
+//! are from data textures, turns the quad to the eye and lights its corners. Sprites have no depth buffer, the draw list's
+//! order is the order; where there are models, another fragment shader compares with their depth and fades what is behind.
 
-use super::models::nearer;
 use super::{FrameBinding, begin};
 use crate::atlas_texture::AtlasTexture;
 use crate::buffer::VertexBuffer;
 use crate::cloud_data::{CloudData, Instance};
-use crate::texture::LINEAR_FORMAT;
+use crate::texture::{LINEAR_FORMAT, Target};
 use crate::{Gpu, shader};
 
 #[derive(Debug)]
@@ -17,6 +16,7 @@ pub(crate) struct SpritesPass {
     pipeline: wgpu::RenderPipeline,
     among_models: wgpu::RenderPipeline,
     layout: wgpu::BindGroupLayout,
+    models_layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
 }
 
@@ -56,11 +56,26 @@ impl SpritesPass {
             mipmap_filter: wgpu::MipmapFilterMode::Linear,
             ..Default::default()
         });
-        let layouts = [Some(&frame.layout), Some(&layout)];
+        let models_layout = gpu.device().create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+            label: Some("nearness of models"),
+            entries: &[wgpu::BindGroupLayoutEntry {
+                binding: 0,
+                visibility: wgpu::ShaderStages::FRAGMENT,
+                // Not as a depth: OpenGL could then only compare with it.
+                ty: wgpu::BindingType::Texture {
+                    sample_type: wgpu::TextureSampleType::Float { filterable: false },
+                    view_dimension: wgpu::TextureViewDimension::D2,
+                    multisampled: false,
+                },
+                count: None,
+            }],
+        });
+        let layouts = [Some(&frame.layout), Some(&layout), Some(&models_layout)];
         Self {
-            pipeline: pipeline(gpu, &layouts, None),
-            among_models: pipeline(gpu, &layouts, Some(nearer(false))),
+            pipeline: pipeline(gpu, "draw_sprite", &layouts[..2]),
+            among_models: pipeline(gpu, "draw_sprite_among_models", &layouts),
             layout,
+            models_layout,
             sampler,
         }
     }
@@ -81,23 +96,34 @@ impl SpritesPass {
         })
     }
 
-    /// Blends the sprites in `order` over what `target` shows, or over nothing where `load` clears it; only those that are
-    /// nearer than the `models`, if there is a depth of such.
+    /// The binding that reads the depth of models, a target of the frame's.
+    pub(crate) fn bind_models(&self, gpu: &Gpu, depth: &Target) -> wgpu::BindGroup {
+        gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("nearness of models"),
+            layout: &self.models_layout,
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: wgpu::BindingResource::TextureView(&depth.view) }],
+        })
+    }
+
+    /// Blends the sprites in `order` over what `target` shows, or over nothing where `load` clears it; if there are
+    /// `models`, what lies before them.
     pub(crate) fn record(
         &self,
         encoder: &mut wgpu::CommandEncoder,
         frame: &FrameBinding,
         (order, binding): (&VertexBuffer, &wgpu::BindGroup),
         (target, load): (&wgpu::TextureView, wgpu::LoadOp<wgpu::Color>),
-        models: Option<&wgpu::TextureView>,
+        models: Option<&wgpu::BindGroup>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        let read_only = |view| wgpu::RenderPassDepthStencilAttachment { view, depth_ops: None, stencil_ops: None };
-        let mut pass = begin(encoder, "sprites", target, load, models.map(read_only), timestamps);
+        let mut pass = begin(encoder, "sprites", target, load, None, timestamps);
         if order.count() == 0 {
             return;
         }
         pass.set_pipeline(if models.is_some() { &self.among_models } else { &self.pipeline });
+        if let Some(models) = models {
+            pass.set_bind_group(2, models, &[]);
+        }
         pass.set_bind_group(0, &frame.group, &[]);
         pass.set_bind_group(1, binding, &[]);
         pass.set_vertex_buffer(0, order.slice());
@@ -118,11 +144,7 @@ fn data_entry(binding: u32) -> wgpu::BindGroupLayoutEntry {
     }
 }
 
-fn pipeline(
-    gpu: &Gpu,
-    layouts: &[Option<&wgpu::BindGroupLayout>],
-    depth: Option<wgpu::DepthStencilState>,
-) -> wgpu::RenderPipeline {
+fn pipeline(gpu: &Gpu, entry_point: &str, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::RenderPipeline {
     let device = gpu.device();
     let module = shader::module(device, "sprites", shader::sprites());
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
@@ -144,11 +166,11 @@ fn pipeline(
             })],
         },
         primitive: wgpu::PrimitiveState { topology: wgpu::PrimitiveTopology::TriangleStrip, ..Default::default() },
-        depth_stencil: depth,
+        depth_stencil: None,
         multisample: wgpu::MultisampleState::default(),
         fragment: Some(wgpu::FragmentState {
             module: &module,
-            entry_point: Some("draw_sprite"),
+            entry_point: Some(entry_point),
             compilation_options: Default::default(),
             targets: &[Some(wgpu::ColorTargetState {
                 format: LINEAR_FORMAT,

@@ -10,6 +10,8 @@ const BRIGHTEST: f32 = 60000.0;
 
 @group(1) @binding(5) var atlas: texture_2d_array<f32>;
 @group(1) @binding(6) var atlas_sampler: sampler;
+// How near the models are, as `project` has it; 0 where there is none.
+@group(2) @binding(0) var nearness_of_models: texture_2d<f32>;
 
 struct Corner {
     @builtin(position) position: vec4f,
@@ -22,6 +24,7 @@ struct Corner {
     // What haze adds for a fragment of alpha 1, and the mip level.
     @location(5) @interpolate(flat) haze_and_mip: vec4f,
     @location(6) @interpolate(flat) tile: u32,
+    @location(7) @interpolate(flat) half_depth_m: f32,
 }
 
 @vertex
@@ -58,11 +61,29 @@ fn place_corner(
     out.light_both = (bottom_right - bottom_left) - (top_right - top_left);
     out.haze_and_mip = vec4f(horizon_radiance(center) * hazed, mip_level(center, sprite));
     out.tile = sprite.tile;
+    out.half_depth_m = 0.5 * min(sprite.width, sprite.height);
     return out;
 }
 
 @fragment
 fn draw_sprite(in: Corner) -> @location(0) vec4f {
+    return lit_texel(in);
+}
+
+@fragment
+fn draw_sprite_among_models(in: Corner) -> @location(0) vec4f {
+    return lit_texel(in) * share_before_models(in);
+}
+
+// A sprite stands for something as deep as it is wide: where a model is within that depth, so much of it shows as lies
+// before the model, and no edge is seen where the quad cuts it.
+fn share_before_models(in: Corner) -> f32 {
+    let model_depth_m = frame.near_m / max(textureLoad(nearness_of_models, vec2u(in.position.xy), 0).r, 1e-30);
+    let sprite_depth_m = 1.0 / in.position.w;
+    return clamp(0.5 + 0.5 * (model_depth_m - sprite_depth_m) / in.half_depth_m, 0.0, 1.0);
+}
+
+fn lit_texel(in: Corner) -> vec4f {
     let light = in.light_base + in.uv.x * in.light_right + in.uv.y * (in.light_down + in.uv.x * in.light_both);
     let texel = textureSampleLevel(atlas, atlas_sampler, in.uv, in.tile, in.haze_and_mip.w);
     let rgb = texel.rgb * light.rgb + texel.a * in.haze_and_mip.rgb;

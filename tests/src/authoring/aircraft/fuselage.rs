@@ -1,6 +1,6 @@
 //! The body: cowling, cabin and tail cone over rounded sections, with the windows painted in.
 
-use super::solid::{Paint, Solid, loft, ring};
+use super::solid::{Paint, Solid, loft};
 use glam::Vec3;
 
 /// A cross section: superellipses above and below the height where it is widest.
@@ -116,17 +116,14 @@ pub fn body() -> Solid {
 /// The cowling's front, with an intake on either side of the spinner.
 fn face() -> Solid {
     let rim = COWLING[0].points();
-    let count = rim.len();
-    let [outer, inner] = [0.93, 0.45].map(|size: f32| {
-        let hub = Vec3::new(0.0, 0.0, COWLING[0].z - 0.035);
-        rim.iter().map(|p| hub.lerp(Vec3::new(p.x, p.y, hub.z), size)).collect::<Vec<_>>()
-    });
-    let hub = ring(Vec3::new(0.0, 0.0, COWLING[0].z - 0.035), 0.0, 0.0, count);
-    let mut face = loft(&[rim, outer.clone()], true, |_, _| Paint::White);
-    face.add(loft(&[outer, inner.clone()], true, |_, j| match up_the_side(j) {
+    let hub = Vec3::new(0.0, 0.0, COWLING[0].z - 0.035);
+    let inwards = |size: f32| rim.iter().map(|p| hub.lerp(p.with_z(hub.z), size)).collect::<Vec<_>>();
+    let (lip, inner, middle) = (inwards(0.93), inwards(0.45), inwards(0.0));
+    let mut face = loft(&[lip.clone(), inner.clone()], true, |_, j| match up_the_side(j) {
         Some(0..=2) => Paint::Dark,
         _ => Paint::White,
-    }));
-    face.add(loft(&[inner, hub], true, |_, _| Paint::White));
+    });
+    face.add(loft(&[rim, lip], true, |_, _| Paint::White));
+    face.add(loft(&[inner, middle], true, |_, _| Paint::White));
     face
 }

@@ -1,6 +1,6 @@
 //! Three wheels that stay down, with a fairing over each.
 
-use super::solid::{Paint, Solid, loft, ring, sample};
+use super::solid::{Paint, Solid, loft, ring};
 use super::wings::{Rib, skin};
 use glam::Vec3;
 
@@ -23,32 +23,22 @@ fn leg(top: Vec3, foot: Vec3, chord: f32) -> Solid {
 /// A tyre that looks out below its fairing, a drop that is blunt in front.
 fn wheel(center: Vec3, size: f32) -> Solid {
     // Along the fairing: place, half width, half height, centre's height.
-    let sections: [(f32, f32, f32, f32); 7] = [
+    let fairing: [(f32, f32, f32, f32); 6] = [
         (-0.40, 0.0, 0.0, 0.02),
-        (-0.36, 0.065, 0.085, 0.02),
-        (-0.22, 0.105, 0.145, 0.03),
-        (0.00, 0.12, 0.165, 0.04),
-        (0.26, 0.09, 0.125, 0.04),
-        (0.50, 0.04, 0.055, 0.03),
+        (-0.35, 0.07, 0.09, 0.02),
+        (-0.18, 0.11, 0.15, 0.03),
+        (0.08, 0.12, 0.165, 0.04),
+        (0.38, 0.065, 0.09, 0.035),
         (0.66, 0.0, 0.0, 0.03),
     ];
-    let sections = sections
-        .map(|(z, width, height, y)| ring(center + Vec3::new(0.0, y, z) * size, width * size, height * size, 8));
-    let mut wheel = loft(&sections, true, |_, j| if j == 3 || j == 0 { Paint::Accent } else { Paint::White });
-    wheel.add(tyre(center, size));
-    wheel
-}
-
-fn tyre(center: Vec3, size: f32) -> Solid {
-    const SPOKES: usize = 11;
-    // From hub to hub over the tread: distance from the axle and along it.
-    let profile: [(f32, f32); 6] =
-        [(0.0, 0.06), (0.165, 0.065), (0.20, 0.035), (0.20, -0.035), (0.165, -0.065), (0.0, -0.06)];
-    let sections = profile.map(|(radius, along)| {
-        sample(SPOKES, |t| {
-            let (sin, cos) = libm::sincosf(std::f32::consts::TAU * t);
-            center + Vec3::new(along, radius * sin, radius * cos) * size
-        })
+    let fairing = fairing.map(|(z, half_width, half_height, y)| {
+        ring(center + Vec3::new(0.0, y, z) * size, Vec3::X * half_width * size, Vec3::Y * half_height * size, 8)
     });
-    loft(&sections, true, |_, _| Paint::Dark)
+    // From hub to hub over the tread: along the axle, and distance from it.
+    let tyre: [(f32, f32); 4] = [(0.06, 0.0), (0.055, 0.2), (-0.055, 0.2), (-0.06, 0.0)];
+    let tyre =
+        tyre.map(|(x, radius)| ring(center + Vec3::X * x * size, Vec3::Z * radius * size, Vec3::Y * radius * size, 10));
+    let mut wheel = loft(&fairing, true, |_, _| Paint::White);
+    wheel.add(loft(&tyre, true, |_, _| Paint::Dark));
+    wheel
 }

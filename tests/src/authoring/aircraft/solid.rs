@@ -126,17 +126,12 @@ pub fn loft(sections: &[Vec<Vec3>], closed: bool, paint: impl Fn(usize, usize) -
     solid
 }
 
-/// Points from a curve: `count` of them, at 0 to 1.
-pub fn sample(count: usize, at: impl Fn(f32) -> Vec3) -> Vec<Vec3> {
-    (0..count).map(|i| at(i as f32 / (count - 1) as f32)).collect()
-}
-
-/// `count` points around an ellipse across z.
-pub fn ring(center: Vec3, half_width: f32, half_height: f32, count: usize) -> Vec<Vec3> {
+/// `count` points around an ellipse, given by its half axes.
+pub fn ring(center: Vec3, right: Vec3, up: Vec3, count: usize) -> Vec<Vec3> {
     (0..count)
         .map(|i| {
             let (sin, cos) = libm::sincosf(std::f32::consts::TAU * i as f32 / count as f32);
-            center + Vec3::new(half_width * cos, half_height * sin, 0.0)
+            center + right * cos + up * sin
         })
         .collect()
 }

@@ -95,7 +95,7 @@ fn wing() -> Solid {
     });
     skin(&ribs, |bay, j| match bay {
         1 | 2 if is_flap(j) => Paint::Grey,
-        4 if along(j) <= 1 => Paint::Green,
+        5 | 6 if along(j) <= 1 => Paint::Green,
         3.. => Paint::Accent,
         _ => Paint::White,
     })

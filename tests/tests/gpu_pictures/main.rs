@@ -3,6 +3,8 @@
 //!
 //! A backend that is not there shows as ignored, or as failed with CLOUDWRIGHT_REQUIRE_GPU=1.
 
+mod models;
+
 use cloudwright_core::color::Rgb;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::frame::Frame;
@@ -49,7 +51,10 @@ fn main() -> ExitCode {
             ("the_sprites_pass_can_be_timed", timed),
             ("only_what_changed_is_uploaded", uploads),
             ("what_is_hidden_is_not_drawn", hidden),
-        ] {
+        ]
+        .into_iter()
+        .chain(models::TESTS)
+        {
             trials.push(trial(backend, format!("{}::{name}", backend.name), check));
         }
         let choice = backend.choice.clone();
