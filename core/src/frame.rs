@@ -5,7 +5,7 @@ use crate::color::Rgb;
 use crate::derived::Derived;
 use crate::draw_list::{Choice, DrawList, Hidden};
 use crate::facing::Poses;
-use crate::model_in_view::{ModelInView, aircraft_in_view};
+use crate::model_in_view::{Meshes, ModelInView, aircraft_in_view};
 use crate::scene::{Camera, Scene};
 use crate::shading::{Formed, Light, Veil, veil};
 use crate::sky::{Background, Dome, GroundLook};
@@ -55,6 +55,8 @@ pub struct Sight<'a> {
     pub size: [u32; 2],
     /// What is left out.
     pub hidden: &'a Hidden,
+    /// The shapes of aircraft that have a file of their own.
+    pub meshes: &'a Meshes,
     /// Where the eye has been; nowhere, for a still.
     pub history: &'a ViewHistory,
 }
@@ -70,13 +72,13 @@ impl<'a> Frame<'a> {
         time_h: f64,
         size: [u32; 2],
     ) -> Self {
-        let (hidden, history) = (&Hidden::default(), &ViewHistory::default());
-        Self::of(scene, derived, atlas, &Sight { camera, time_h, clock_s: 0.0, size, hidden, history })
+        let (hidden, meshes, history) = (&Hidden::default(), &Meshes::default(), &ViewHistory::default());
+        Self::of(scene, derived, atlas, &Sight { camera, time_h, clock_s: 0.0, size, hidden, meshes, history })
     }
 
     /// What is seen of `scene`, whose `derived` is.
     pub fn of(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight<'_>) -> Self {
-        let Sight { camera, time_h, clock_s, size, hidden, history } = *sight;
+        let Sight { camera, time_h, clock_s, size, hidden, meshes, history } = *sight;
         let (clouds, clouds_version) = (derived.clouds(), derived.version());
         let view = View::new(camera, size[0], size[1]);
         let light = Light::at(scene, time_h);
@@ -96,7 +98,7 @@ impl<'a> Frame<'a> {
             formed,
             clouds_version,
             atlas,
-            models: aircraft_in_view(scene, clock_s, view.eye),
+            models: aircraft_in_view(scene, meshes, clock_s, view.eye),
         }
     }
 

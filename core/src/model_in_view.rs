@@ -1,9 +1,10 @@
-//! An aircraft as one eye sees it at one moment.
+//! Aircraft as one eye sees them at one moment.
 
 use crate::flight::PathCurve;
 use crate::model_mesh::ModelMesh;
-use crate::scene::Scene;
+use crate::scene::{Aircraft, Scene};
 use glam::{DVec3, Quat, Vec3};
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// A mesh and where it is. Only the GPU renderer draws it; those of the CPU leave it out.
@@ -19,14 +20,30 @@ pub struct ModelInView {
     pub scale: f32,
 }
 
-/// The aircraft of `scene` that fly with the built-in mesh, `clock_s` into their paths, as seen from `eye`. Those that
-/// name a file of their own are left out: nobody reads it yet.
-pub fn aircraft_in_view(scene: &Scene, clock_s: f64, eye: DVec3) -> Vec<ModelInView> {
-    let flying = scene.aircraft.iter().filter(|aircraft| aircraft.model.is_none());
-    let in_view = flying.filter_map(|aircraft| {
+/// The shapes of aircraft that have a file of their own, by its name.
+#[derive(Debug, Clone, Default)]
+pub struct Meshes(BTreeMap<String, Arc<ModelMesh>>);
+
+impl Meshes {
+    /// The shape of the file of that name.
+    pub fn insert(&mut self, name: String, mesh: ModelMesh) {
+        self.0.insert(name, Arc::new(mesh));
+    }
+
+    /// That of `aircraft`; the built-in one stands in for a file that isn't here.
+    fn of(&self, aircraft: &Aircraft) -> Arc<ModelMesh> {
+        let own = aircraft.model.as_ref().and_then(|name| self.0.get(name));
+        own.map_or_else(ModelMesh::built_in, Arc::clone)
+    }
+}
+
+/// The aircraft of `scene` as seen from `eye`, `clock_s` into their paths; one that has no path is left out. Before and
+/// after its path an aircraft stands at the end of it.
+pub fn aircraft_in_view(scene: &Scene, meshes: &Meshes, clock_s: f64, eye: DVec3) -> Vec<ModelInView> {
+    let in_view = scene.aircraft.iter().filter_map(|aircraft| {
         let place = PathCurve::new(scene.path(aircraft.path)?).attitude_at(clock_s + aircraft.ahead_s);
         Some(ModelInView {
-            mesh: ModelMesh::built_in(),
+            mesh: meshes.of(aircraft),
             from_eye: (place.position - eye).as_vec3(),
             turn: place.turn().as_quat(),
             scale: aircraft.scale as f32,

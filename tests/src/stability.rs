@@ -12,6 +12,7 @@ use cloudwright_core::draw_list::{Hidden, Sorting};
 use cloudwright_core::facing::{FacingRule, Pose, Poses, lock_distance};
 use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::image::LinearPicture;
+use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::raster::{plain, truth};
 use cloudwright_core::scene::{Camera, Scene};
@@ -147,7 +148,15 @@ pub fn pixel_change(scene: &Scene, cameras: &[Camera], (rule, sorting): (FacingR
         }
         let frame = |history| {
             let hidden = &Hidden::default();
-            let sight = Sight { camera, time_h: scene.time_of_day_h, clock_s: 0.0, size: [48, 27], hidden, history };
+            let sight = Sight {
+                camera,
+                time_h: scene.time_of_day_h,
+                clock_s: 0.0,
+                size: [48, 27],
+                hidden,
+                meshes: &Meshes::default(),
+                history,
+            };
             Frame::of(scene, &derived, Atlas::built_in(), &sight)
         };
         let now = [plain::linear_picture(&frame(&history)), truth::linear_picture(&frame(&true_history), 1, &|_| ())];

@@ -58,6 +58,12 @@ pub(crate) fn time_of_day(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "write hours and minutes, 00:00 to 23:59, such as 18:30".into())
 }
 
+/// Seconds of a scene's clock.
+pub(super) fn seconds(text: &str) -> Result<f64, String> {
+    let is_sound = |seconds: &f64| (0.0..=1e6).contains(seconds);
+    text.parse().ok().filter(is_sound).ok_or_else(|| "write seconds, 0 to 1000000, such as 12.5".into())
+}
+
 /// `WIDTHxHEIGHT` in pixels.
 pub(super) fn picture_size(text: &str) -> Result<[u32; 2], String> {
     const MAX: u32 = 16_384;
@@ -95,6 +101,10 @@ mod tests {
         assert_eq!(picture_size("1280x720"), Ok([1280, 720]));
         for bad in ["0x1", "1x0", "16385x1", "1280", "x", "-1x5", "1e3x5", "99999999999x1"] {
             assert!(picture_size(bad).is_err(), "{bad}");
+        }
+        assert_eq!(seconds("12.5"), Ok(12.5));
+        for bad in ["-1", "NaN", "inf", "1e7", "soon", ""] {
+            assert!(seconds(bad).is_err(), "{bad}");
         }
         assert_eq!(samples_side("16"), Ok(4));
         for bad in ["0", "2", "15", "81", "-4", "four"] {

@@ -2,7 +2,7 @@
 
 use super::failure::{Failure, PROBLEMS_FOUND, UNUSABLE_INPUT};
 use super::{answer, say};
-use crate::opening::{self, OpenError};
+use crate::opening::{self, Beside, OpenError};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::problem::{self, Problem};
 use serde::Serialize;
@@ -60,7 +60,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
 }
 
-/// All that there is to say about a scene file, its atlas and its sprites.
+/// All that there is to say about a scene file, what it names and its sprites.
 fn problems_of(path: &Path) -> Result<Vec<Problem>, OpenError> {
     let scene = match opening::open_scene(path) {
         Ok(scene) => scene,
@@ -68,7 +68,7 @@ fn problems_of(path: &Path) -> Result<Vec<Problem>, OpenError> {
         Err(error) => return Err(error),
     };
     let mut problems = problem::check_with_sprites(&scene, Derived::new(&scene).clouds());
-    problems.extend(opening::atlas_of(&scene, Some(path)).err());
+    problems.extend(Beside::read(&scene, Some(path)).1);
     Ok(problems)
 }
 

@@ -7,16 +7,16 @@ mod frames;
 mod video;
 
 use super::failure::Failure;
+use super::painter::Painter;
 use super::progress::Progress;
 use super::{arguments, input, render, say};
-use crate::renderer::{Renderer, RendererChoice};
+use crate::renderer::RendererChoice;
 use crate::{opening, picture_png, storage};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{Hidden, Sorting};
 use cloudwright_core::facing::FacingRule;
 use cloudwright_core::flight::Playback;
 use cloudwright_core::frame::{Frame, Sight};
-use cloudwright_core::image::Picture;
 use frames::Frames;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -74,7 +74,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if is_video {
         video::check_size(arguments.size)?;
     }
-    let (scene, atlas) = opening::open(&arguments.scene)?;
+    let (scene, beside) = opening::open(&arguments.scene)?;
     let path = input::path(&scene, &arguments.scene, &arguments.path)?;
     let sorting = match arguments.sorting {
         SortingChoice::EachFrame => Sorting::EachFrame,
@@ -92,9 +92,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let derived = Derived::new(&scene);
     let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
     let mut painter = Painter::new(arguments.renderer)?;
-    if !scene.aircraft.is_empty() {
-        say("the scene's aircraft are left out: no renderer draws models yet");
-    }
     let progress = Progress::start("flying");
     let mut kept = 0;
     for (done, number) in numbers.clone().enumerate() {
@@ -106,8 +103,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let clock_s = f64::from(number) / f64::from(arguments.fps);
         let (camera, history) = playback.seek(&derived, clock_s);
         let (camera, hidden) = (&camera, &Hidden::default());
-        let sight = Sight { camera, time_h, clock_s, size: arguments.size, hidden, history };
-        let picture = painter.picture(&Frame::of(&scene, &derived, opening::sheet(&atlas), &sight))?;
+        let meshes = beside.meshes();
+        let sight = Sight { camera, time_h, clock_s, size: arguments.size, hidden, meshes, history };
+        let picture = painter.picture(&Frame::of(&scene, &derived, beside.sheet(), &sight), 1)?;
         let png = picture_png::encode(&picture).map_err(|error| {
             Failure::could_not(format!("frame {number} can't be packed: {error}"), "try a smaller --size")
         })?;
@@ -116,29 +114,4 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(progress);
     say(&format!("frames: {} drawn, {kept} kept, in {}", numbers.len() - kept, frames.folder.display()));
     if is_video { video::write(&arguments.output, &frames, &numbers, arguments.fps) } else { Ok(()) }
-}
-
-/// A renderer that gives way to the CPU where the user has left the choice to us.
-struct Painter {
-    renderer: Renderer,
-    choice: RendererChoice,
-}
-
-impl Painter {
-    fn new(choice: RendererChoice) -> Result<Self, Failure> {
-        let painter = Self { renderer: Renderer::new(choice)?, choice };
-        say(&format!("renderer: {}", painter.renderer.name()));
-        Ok(painter)
-    }
-
-    fn picture(&mut self, frame: &Frame<'_>) -> Result<Picture, Failure> {
-        match self.renderer.picture(frame, 1) {
-            Err(error) if self.choice == RendererChoice::Auto => {
-                say(&format!("renderer: CPU, because {error}"));
-                self.renderer = Renderer::Cpu;
-                Ok(self.renderer.picture(frame, 1)?)
-            }
-            done => Ok(done?),
-        }
-    }
 }

@@ -12,6 +12,7 @@ mod fly;
 mod info;
 mod input;
 mod new;
+mod painter;
 mod progress;
 mod render;
 

@@ -1,14 +1,17 @@
 //! `cloudwright render`: a picture of a scene, without a window.
 
 use super::failure::Failure;
+use super::painter::{self, Painter};
 use super::progress::Progress;
 use super::{arguments, input, say};
-use crate::renderer::{Renderer, RendererChoice};
+use crate::renderer::RendererChoice;
 use crate::{opening, picture_png, storage};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::frame::Frame;
+use cloudwright_core::draw_list::Hidden;
+use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::image::Picture;
 use cloudwright_core::raster;
+use cloudwright_core::view_history::ViewHistory;
 use std::path::PathBuf;
 
 /// Samples of one picture held in memory at once: 4K with 16 samples a pixel fits, some 4 GB at the most.
@@ -34,6 +37,9 @@ pub(super) struct Arguments {
     /// Time of day; the scene's if not given
     #[arg(long, value_name = "HH:MM", value_parser = arguments::time_of_day)]
     time: Option<f64>,
+    /// Seconds of the scene's clock: how far clouds have formed, and where aircraft are
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = arguments::seconds)]
+    at: f64,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = arguments::picture_size)]
     size: [u32; 2],
@@ -53,12 +59,16 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if arguments.truth && arguments.renderer == RendererChoice::Gpu {
         return Err(Failure::argument("--truth runs on the CPU", "leave --renderer gpu or --truth out"));
     }
-    let (scene, atlas) = opening::open(&arguments.scene)?;
+    let (scene, beside) = opening::open(&arguments.scene)?;
     let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
     input::check_output(&arguments.scene, &arguments.output)?;
     let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
     let derived = Derived::new(&scene);
-    let frame = |size| Frame::new(&scene, &derived, opening::sheet(&atlas), camera, time_h, size);
+    let (hidden, history) = (&Hidden::default(), &ViewHistory::default());
+    let frame = |size| {
+        let sight = Sight { camera, time_h, clock_s: arguments.at, size, hidden, meshes: beside.meshes(), history };
+        Frame::of(&scene, &derived, beside.sheet(), &sight)
+    };
     let picture = if arguments.truth { truth(arguments, frame)? } else { fast(arguments, frame)? };
     let png = picture_png::encode(&picture)
         .map_err(|error| Failure::could_not(format!("the picture can't be packed: {error}"), "try a smaller --size"))?;
@@ -69,26 +79,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn fast<'a>(arguments: &Arguments, frame: impl Fn([u32; 2]) -> Frame<'a>) -> Result<Picture, Failure> {
     let side = arguments.side.unwrap_or(1);
     check_memory(arguments.size, side)?;
-    let mut renderer = Renderer::new(arguments.renderer)?;
-    say(&format!("renderer: {}", renderer.name()));
+    let mut painter = Painter::new(arguments.renderer)?;
     let _progress = Progress::start("rendering");
-    let frame = frame(arguments.size.map(|length| length * side));
-    match renderer.picture(&frame, side) {
-        // The user left the choice to us, and the CPU can draw anything.
-        Err(error) if arguments.renderer == RendererChoice::Auto => {
-            say(&format!("renderer: CPU, because {error}"));
-            Ok(Renderer::Cpu.picture(&frame, side)?)
-        }
-        done => Ok(done?),
-    }
+    Ok(painter.picture(&frame(arguments.size.map(|length| length * side)), side)?)
 }
 
 fn truth<'a>(arguments: &Arguments, frame: impl Fn([u32; 2]) -> Frame<'a>) -> Result<Picture, Failure> {
     let side = arguments.side.unwrap_or(TRUTH_SIDE);
     check_memory(arguments.size, 1)?;
     say(&format!("renderer: CPU, truth with {} samples a pixel", side * side));
-    let progress = Progress::start("rendering the truth");
     let frame = frame(arguments.size);
+    painter::tell_what_is_left_out(&frame);
+    let progress = Progress::start("rendering the truth");
     let linear = raster::truth::linear_picture(&frame, side, &|share| progress.set(share));
     Ok(raster::develop(&linear, frame.exposure))
 }

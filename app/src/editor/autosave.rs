@@ -121,17 +121,15 @@ impl Editor {
         };
         let path = rescue.path.clone();
         let known = path.as_deref().and_then(Stamp::of).filter(|stamp| !stamp.is_after(rescue.saved_at()));
-        let mut session = Session::new(scene, path, None);
+        let mut session = Session::new(scene, path);
         session.mark_unsaved();
-        let trouble = session.load_atlas();
+        let problems = session.load_beside();
         // One of this editor's own goes; the work is where it always was.
         self.drop_rescue();
         self.desk.slot = Some(orphan.slot);
         self.replace(session, known);
         self.desk.autosave_clock.wrote(self.session.revision());
-        if let Some(problem) = trouble {
-            self.dialogs.list(&name, vec![problem]);
-        }
+        self.dialogs.list(&name, problems);
         self.tell(format!("Recovered {}; it is not saved yet", self.display_name()));
     }
 }

@@ -43,7 +43,7 @@ impl Editor {
     pub(super) fn go(&mut self, intent: Intent, context: &egui::Context) {
         match intent {
             Intent::New => {
-                self.replace(Session::new(starter::scene(), None, None), None);
+                self.replace(Session::new(starter::scene(), None), None);
                 self.toasts.forget_errors();
             }
             Intent::OpenFile(path) => self.open_path(&path),
@@ -63,11 +63,9 @@ impl Editor {
             Err(OpenError::Problems { problems, .. }) => return self.dialogs.list(path, problems),
             Err(OpenError::Storage(error)) => return self.dialogs.fail("The scene can't be opened", &error),
         };
-        let mut session = Session::new(scene, Some(path.into()), None);
+        let mut session = Session::new(scene, Some(path.into()));
         // A scene whose atlas is gone can still be edited; the built-in one stands in.
-        if let Some(problem) = session.load_atlas() {
-            self.dialogs.list(path, vec![problem]);
-        }
+        self.dialogs.list(path, session.load_beside());
         self.replace(session, stamp);
         self.tell(format!("Opened {}", path.display()));
         let path = path.to_path_buf();

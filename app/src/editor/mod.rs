@@ -100,7 +100,7 @@ impl Editor {
         let Start { scene: path, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
         let (desk, notice) = Desk::new(context, folders);
-        let session = Session::new(starter::scene(), None, None);
+        let session = Session::new(starter::scene(), None);
         let mut editor = Self {
             viewport: Viewport::new(context, &session, renderer, device),
             session,

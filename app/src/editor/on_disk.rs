@@ -41,15 +41,13 @@ impl Editor {
         let stamp = Stamp::of(&path);
         match opening::open_scene(&path) {
             Ok(scene) => {
-                let mut session = Session::new(scene, Some(path.clone()), None);
-                let trouble = session.load_atlas();
+                let mut session = Session::new(scene, Some(path.clone()));
+                let problems = session.load_beside();
                 self.session = session;
                 self.desk.known = stamp;
                 self.view.keep_what_is_in(self.session.scene());
                 self.tell(format!("{} was changed by another program and is loaded anew", self.display_name()));
-                if let Some(problem) = trouble {
-                    self.dialogs.list(&path, vec![problem]);
-                }
+                self.dialogs.list(&path, problems);
             }
             Err(error) => {
                 self.session.mark_unsaved();

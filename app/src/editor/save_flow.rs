@@ -75,9 +75,7 @@ impl Editor {
         self.desk.saving = false;
         match outcome {
             Ok(stamp) => {
-                if let Some(problem) = self.session.saved_as(path.clone(), mark) {
-                    self.dialogs.list(&path, vec![problem]);
-                }
+                self.dialogs.list(&path, self.session.saved_as(path.clone(), mark));
                 self.desk.known = Some(stamp);
                 self.tell(format!("Saved {}", path.display()));
                 self.desk.remember(move |settings| settings.remember_scene(&path));

@@ -1,4 +1,4 @@
-//! The open document with all that hangs on it: derived clouds, atlas, file.
+//! The open document with all that hangs on it: derived clouds, the file and what lies beside it.
 //!
 //! Every change goes through here, so that what is derived follows: at once if that is little work, else off the frame
 //! by [`Regeneration`], while the last good clouds are shown. While a gesture holds the scene in a state with errors
@@ -8,7 +8,7 @@
 //! only when the clouds are those of the scene as it is; so nothing is lost, whatever happens on the way.
 
 use super::regeneration::{Regeneration, Wish};
-use crate::opening::{self, SceneAtlas};
+use crate::opening::Beside;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Change, Document, Edit, EditError, SavedMark};
 use cloudwright_core::problem::{self, Problem, Severity};
@@ -27,7 +27,7 @@ const AT_ONCE_WHEN_OPENED: u64 = 100_000;
 pub struct Session {
     document: Document,
     path: Option<PathBuf>,
-    atlas: SceneAtlas,
+    beside: Beside,
     derived: Arc<Derived>,
     /// The scene as it is drawn, and last was without errors: workers read it while the document goes on.
     shown: Arc<Scene>,
@@ -57,14 +57,14 @@ pub struct Pending {
 
 impl Session {
     /// A scene that is as it was saved at `path`, or new.
-    pub(crate) fn new(scene: Scene, path: Option<PathBuf>, atlas: SceneAtlas) -> Self {
+    pub(crate) fn new(scene: Scene, path: Option<PathBuf>) -> Self {
         let mut session = Self {
             derived: Arc::new(Derived::default()),
             shown: Arc::new(scene.clone()),
             is_sound: true,
             document: Document::new(scene),
             path,
-            atlas,
+            beside: Beside::default(),
             stale: Change::everything(),
             gesture: Change::default(),
             steps: 0,
@@ -116,9 +116,9 @@ impl Session {
         self.revision
     }
 
-    /// Scene, clouds and atlas to draw from, shared.
-    pub(crate) fn to_draw(&self) -> (Arc<Scene>, Arc<Derived>, SceneAtlas) {
-        (Arc::clone(&self.shown), Arc::clone(&self.derived), self.atlas.clone())
+    /// Scene, clouds and what lies beside them to draw from, shared.
+    pub(crate) fn to_draw(&self) -> (Arc<Scene>, Arc<Derived>, Beside) {
+        (Arc::clone(&self.shown), Arc::clone(&self.derived), self.beside.clone())
     }
 
     /// One undo point from beginning to end.
@@ -229,12 +229,12 @@ impl Session {
         }
     }
 
-    /// The scene lies at `path` as it was at `mark`. Its atlas is looked for there.
-    pub(crate) fn saved_as(&mut self, path: PathBuf, mark: SavedMark) -> Option<Problem> {
+    /// The scene lies at `path` as it was at `mark`. What it names is looked for there.
+    pub(crate) fn saved_as(&mut self, path: PathBuf, mark: SavedMark) -> Vec<Problem> {
         self.document.mark_saved(mark);
         let moved = self.path.as_deref() != Some(&path);
         self.path = Some(path);
-        if moved { self.load_atlas() } else { None }
+        if moved { self.load_beside() } else { Vec::new() }
     }
 
     /// No file holds the scene as it is.
@@ -242,25 +242,17 @@ impl Session {
         self.document.mark_unsaved();
     }
 
-    /// Reads the atlas that the scene names; the built-in one stands in for one with a problem.
-    pub(crate) fn load_atlas(&mut self) -> Option<Problem> {
-        let found = opening::atlas_of(self.scene(), self.path());
+    /// Reads the files that the scene names; what is built in stands in for one with a problem.
+    pub(crate) fn load_beside(&mut self) -> Vec<Problem> {
+        let (beside, problems) = Beside::read(self.scene(), self.path());
+        self.beside = beside;
         self.revision = Version::fresh();
-        match found {
-            Ok(atlas) => {
-                self.atlas = atlas;
-                None
-            }
-            Err(problem) => {
-                self.atlas = None;
-                Some(problem)
-            }
-        }
+        problems
     }
 
     fn follow(&mut self, change: Change) {
-        if change.touches_atlas() {
-            self.load_atlas();
+        if !self.beside.is_of(self.scene()) {
+            self.load_beside();
         }
         let touches_sprites = change.touches_sprites();
         self.stale.join(change);

@@ -7,6 +7,7 @@ mod by_cpu;
 mod by_gpu;
 
 use crate::editor::Session;
+use crate::opening::Beside;
 use crate::renderer::RendererChoice;
 use by_cpu::ByCpu;
 use by_gpu::ByGpu;
@@ -14,7 +15,6 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::scene::{Camera, Scene};
-use cloudwright_core::sprites::Atlas;
 use cloudwright_core::version::Version;
 use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
@@ -49,9 +49,11 @@ pub(super) struct Shot {
 }
 
 impl Shot {
-    fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, atlas: &'a Atlas) -> Frame<'a> {
+    fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, beside: &'a Beside) -> Frame<'a> {
         let Self { camera, hour, size, hidden, history } = self;
-        Frame::of(scene, derived, atlas, &Sight { camera, time_h: *hour, clock_s: 0.0, size: *size, hidden, history })
+        let meshes = beside.meshes();
+        let sight = Sight { camera, time_h: *hour, clock_s: 0.0, size: *size, hidden, meshes, history };
+        Frame::of(scene, derived, beside.sheet(), &sight)
     }
 }
 

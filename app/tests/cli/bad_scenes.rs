@@ -97,7 +97,18 @@ fn cases() -> Vec<Case> {
             "beside the scene file",
         ),
         ("an atlas that is no PNG", changed(|s| s["atlas"] = json!("notes.txt")), "atlas", "512 × 512"),
+        ("a model that is missing", changed(|s| aircraft(s, "none.glb")), "aircraft[0].model", "beside the scene file"),
+        ("a model elsewhere", changed(|s| aircraft(s, "../secret.glb")), "aircraft[0].model", "copy it there"),
+        ("a model that is none", changed(|s| aircraft(s, "notes.txt")), "aircraft[0].model", "built-in aircraft"),
     ]
+}
+
+/// Flies one along a path of one key.
+fn aircraft(scene: &mut serde_json::Value, model: &str) {
+    let key = json!({ "time_s": 0, "position": [0, 1000, 0], "heading_deg": 0, "pitch_deg": 0 });
+    scene["paths"] = json!([{ "id": 900, "name": "west", "field_of_view_deg": 55, "keys": [key] }]);
+    scene["aircraft"] = json!([{ "id": 901, "name": "leader", "model": model, "path": 900 }]);
+    scene["next_id"] = json!(1000);
 }
 
 fn many_sprites(scene: &mut serde_json::Value) {
@@ -153,8 +164,9 @@ fn render_refuses_and_leaves_nothing() {
 
 #[test]
 fn info_and_export_refuse_too() {
-    // The atlas is no business of theirs.
-    for (_, bytes, wanted_place, hint) in cases().into_iter().filter(|(.., place, _)| *place != "atlas") {
+    // What lies beside the scene is no business of theirs.
+    let is_beside = |place| place == "atlas" || place == "aircraft[0].model";
+    for (_, bytes, wanted_place, hint) in cases().into_iter().filter(|(.., place, _)| !is_beside(*place)) {
         let place = place_with(&bytes);
         place.refuses("info bad.cloudscene", 2, &["bad.cloudscene", wanted_place, hint]);
         place.refuses("export bad.cloudscene -o out.json", 2, &["bad.cloudscene", wanted_place, hint]);

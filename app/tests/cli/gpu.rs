@@ -2,6 +2,8 @@
 //! where there is an adapter, and says what to do where there is none.
 
 use crate::Place;
+use crate::scenes::changed;
+use serde_json::json;
 
 #[test]
 fn a_picture_or_a_way_out() {
@@ -19,6 +21,35 @@ fn a_picture_or_a_way_out() {
             assert_eq!(place.files(), ["good.cloudscene"]);
         }
     }
+}
+
+/// An aircraft of the scene's own is drawn where its path has brought it; the CPU says that it draws none.
+#[test]
+fn an_aircraft_at_its_place() {
+    let place = Place::new();
+    place.put("own.glb", include_bytes!("../../../assets/models/aircraft.glb"));
+    let key = |time_s: f64, x: f64| json!({ "time_s": time_s, "position": [x, 2486.0, 2975.0], "heading_deg": 90, "pitch_deg": 0 });
+    place.put(
+        "good.cloudscene",
+        &changed(|scene| {
+            scene["paths"] = json!([{ "id": 900, "name": "past", "field_of_view_deg": 55,
+                "keys": [key(0.0, -60.0), key(4.0, 60.0)] }]);
+            scene["aircraft"] = json!([{ "id": 901, "name": "own", "model": "own.glb", "path": 900, "ahead_s": 0 }]);
+            scene["next_id"] = json!(1000);
+        }),
+    );
+    let picture = |words: &str| {
+        let ran = place.run(&format!("render good.cloudscene -o out.png --camera above --size 64x36 {words}"));
+        (ran.code == 0).then(|| (place.read("out.png"), ran.stderr))
+    };
+    let (_, said) = picture("--renderer cpu --at 2").expect("a picture");
+    assert!(said.contains("aircraft are left out"), "{said}");
+    let (Some((before, _)), Some((here, said))) = (picture("--renderer gpu"), picture("--renderer gpu --at 2")) else {
+        let required = std::env::var("CLOUDWRIGHT_REQUIRE_GPU").is_ok_and(|value| value == "1");
+        return assert!(!required, "an adapter is required");
+    };
+    assert!(!said.contains("left out"), "{said}");
+    assert!(before != here, "at 0 s it is beside the picture, at 2 s before the camera");
 }
 
 /// Drivers are hidden from the program, so this holds on a machine with a GPU too.

@@ -8,7 +8,6 @@ use std::collections::BTreeSet;
 pub struct Change {
     pub(super) everything: bool,
     pub(super) ground: bool,
-    pub(super) atlas: bool,
     pub(super) models: BTreeSet<ModelId>,
     pub(super) clouds: BTreeSet<CloudId>,
 }
@@ -39,16 +38,10 @@ impl Change {
         self.everything || self.ground
     }
 
-    /// Whether the scene names another atlas.
-    pub fn touches_atlas(&self) -> bool {
-        self.everything || self.atlas
-    }
-
     /// Adds what `other` touched.
     pub fn join(&mut self, other: Self) {
         self.everything |= other.everything;
         self.ground |= other.ground;
-        self.atlas |= other.atlas;
         self.models.extend(other.models);
         self.clouds.extend(other.clouds);
     }

@@ -88,7 +88,6 @@ impl Edit {
         let mut change = Change::default();
         match self {
             Self::Ground(_) => change.ground = true,
-            Self::Atlas(_) => change.atlas = true,
             Self::Model(edit) => change.models.extend([edit.id()]),
             Self::Box(model, _) | Self::Group(model, _) => change.models.extend([*model]),
             Self::Cloud(edit) => change.clouds.extend([edit.id()]),
@@ -98,6 +97,7 @@ impl Edit {
             | Self::Place(_)
             | Self::Sun(_)
             | Self::Sky(_)
+            | Self::Atlas(_)
             | Self::Camera(_)
             | Self::Path(_)
             | Self::Aircraft(_) => {}

@@ -4,6 +4,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{DrawList, DrawSprite, FACES_EYE, Hidden, eye_offset, sort_back_to_front};
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::{Frame, Sight};
+use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::raster::{fast, plain};
 use cloudwright_core::scene::Camera;
 use cloudwright_core::sprites::Atlas;
@@ -72,7 +73,8 @@ fn what_is_hidden_is_not_drawn() {
     let camera = &scene.cameras[0];
     let history = &ViewHistory::default();
     let frame = |hidden: &Hidden| {
-        let sight = Sight { camera, time_h: 12.0, clock_s: 0.0, size: [90, 40], hidden, history };
+        let sight =
+            Sight { camera, time_h: 12.0, clock_s: 0.0, size: [90, 40], hidden, meshes: &Meshes::default(), history };
         Frame::of(&scene, &derived, Atlas::built_in(), &sight)
     };
     let all = frame(&Hidden::default());

@@ -8,6 +8,7 @@ use cloudwright_core::facing::{FacingRule, upright::RELAXING};
 use cloudwright_core::flight::Playback;
 use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::image::Picture;
+use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::raster::{fast, plain};
 use cloudwright_core::scene::{Camera, CameraPath, Formation, FormationChange, PathKey, Scene};
 use cloudwright_core::shading::Formed;
@@ -97,7 +98,8 @@ fn frame_of<'a>(
     history: &ViewHistory,
 ) -> Frame<'a> {
     let (size, hidden) = ([64, 36], &Hidden::default());
-    let sight = Sight { camera, time_h: scene.time_of_day_h, clock_s, size, hidden, history };
+    let sight =
+        Sight { camera, time_h: scene.time_of_day_h, clock_s, size, hidden, meshes: &Meshes::default(), history };
     Frame::of(scene, derived, Atlas::built_in(), &sight)
 }
 

@@ -61,9 +61,11 @@ impl Dialogs {
         self.0.push(dialog);
     }
 
-    /// Lists what is wrong with a file.
+    /// Lists what is wrong with a file, if anything is.
     pub(super) fn list(&mut self, path: &Path, problems: Vec<Problem>) {
-        self.open(Dialog::Trouble(Trouble { title: format!("Problems in {}", path.display()), problems }));
+        if !problems.is_empty() {
+            self.open(Dialog::Trouble(Trouble { title: format!("Problems in {}", path.display()), problems }));
+        }
     }
 
     /// Tells that something failed.

@@ -24,7 +24,7 @@ fn scene() -> Scene {
 }
 
 fn session() -> Session {
-    Session::new(scene(), None, None)
+    Session::new(scene(), None)
 }
 
 fn with_sprites(session: &Session, model: usize, sprite_count: u32) -> Edit {
@@ -105,7 +105,7 @@ fn cancelling_takes_back_what_asked_for_the_work() {
 fn a_large_scene_opens_before_its_clouds() {
     let mut scene = scene();
     scene.models[0].boxes[0].sprite_count = 150_000;
-    let mut session = Session::new(scene.clone(), None, None);
+    let mut session = Session::new(scene.clone(), None);
     assert!(session.pending().is_some_and(|pending| !pending.can_cancel));
     session.cancel_pending();
     assert_eq!(session.scene(), &scene);

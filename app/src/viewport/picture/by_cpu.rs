@@ -2,7 +2,7 @@
 
 use super::Shot;
 use crate::editor::Session;
-use crate::opening::{self, SceneAtlas};
+use crate::opening::Beside;
 use crate::renderer::{RenderError, Renderer};
 use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
@@ -17,7 +17,7 @@ use std::time::{Duration, Instant};
 struct Request {
     scene: Arc<Scene>,
     derived: Arc<Derived>,
-    atlas: SceneAtlas,
+    beside: Beside,
     shot: Shot,
     coarseness: u32,
 }
@@ -71,8 +71,8 @@ impl ByCpu {
 
     pub(super) fn ask(&mut self, session: &Session, shot: &Shot, coarseness: u32) {
         if let Some(worker) = &self.worker {
-            let (scene, derived, atlas) = session.to_draw();
-            worker.ask(Request { scene, derived, atlas, shot: shot.clone(), coarseness });
+            let (scene, derived, beside) = session.to_draw();
+            worker.ask(Request { scene, derived, beside, shot: shot.clone(), coarseness });
         }
     }
 
@@ -99,8 +99,8 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, atlas, shot, coarseness } = request;
-    let frame = shot.frame(scene, derived, opening::sheet(atlas));
+    let Request { scene, derived, beside, shot, coarseness } = request;
+    let frame = shot.frame(scene, derived, beside);
     let picture = Renderer::Cpu.picture(&frame, 1);
     let time = begun.elapsed();
     // Counted at rest only: it is nothing that a gesture should wait for.

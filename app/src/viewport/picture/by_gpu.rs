@@ -2,7 +2,6 @@
 
 use super::Shot;
 use crate::editor::Session;
-use crate::opening;
 use crate::renderer::gpu_name;
 use cloudwright_render::{Gpu, RenderError, Renderer};
 use eframe::egui_wgpu::RenderState;
@@ -45,8 +44,8 @@ impl ByGpu {
 
     pub(super) fn draw(&mut self, session: &Session, shot: &Shot) -> Result<(), RenderError> {
         let begun = Instant::now();
-        let (scene, derived, atlas) = session.to_draw();
-        let frame = shot.frame(&scene, &derived, opening::sheet(&atlas));
+        let (scene, derived, beside) = session.to_draw();
+        let frame = shot.frame(&scene, &derived, &beside);
         let view = self.renderer.draw(&self.gpu, &frame)?;
         let mut egui = self.window.renderer.write();
         let device = &self.window.device;

@@ -1,0 +1,110 @@
+//! The files that a scene names, read from beside it: its atlas and the shapes of its aircraft.
+//!
+//! They are found and judged here, once, so that `check`, `render`, `fly` and the editor say the same about them. What is
+//! built in stands in for a file with a problem.
+
+use crate::storage;
+use cloudwright_core::formats::model_glb;
+use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::problem::Problem;
+use cloudwright_core::scene::Scene;
+use cloudwright_core::sprites::Atlas;
+use std::collections::BTreeSet;
+use std::path::{Component, Path};
+use std::sync::Arc;
+
+/// No sheet of 512 × 512 pixels is larger than this, bytes.
+const MAX_ATLAS_BYTES: usize = 16 << 20;
+
+/// What lies beside a scene's file and is drawn with it.
+#[derive(Debug, Clone, Default)]
+pub struct Beside {
+    /// None for the built-in one.
+    atlas: Option<Arc<Atlas>>,
+    meshes: Meshes,
+    names: Names,
+}
+
+/// The names of a scene's files: the atlas, and the aircraft's models.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+struct Names {
+    atlas: Option<String>,
+    models: BTreeSet<String>,
+}
+
+impl Beside {
+    /// What `scene` names, read from beside `scene_path`, and what is wrong with it: a file that isn't there, lies
+    /// elsewhere, can't be read or is of another kind.
+    pub fn read(scene: &Scene, scene_path: Option<&Path>) -> (Self, Vec<Problem>) {
+        let mut beside = Self { names: Names::of(scene), ..Self::default() };
+        let mut problems = Vec::new();
+        if let Some(name) = &beside.names.atlas {
+            match atlas(name, scene_path) {
+                Ok(atlas) => beside.atlas = Some(Arc::new(atlas)),
+                Err((message, hint)) => problems.push(Problem::error("atlas", format!("“{name}”: {message}"), hint)),
+            }
+        }
+        for name in &beside.names.models {
+            match file(name, scene_path, model_glb::MAX_BYTES).and_then(|bytes| {
+                let hint = "take `model` out for the built-in aircraft";
+                model_glb::read(&bytes).map_err(|error| (error.to_string(), hint))
+            }) {
+                Ok(mesh) => beside.meshes.insert(name.clone(), mesh),
+                Err((message, hint)) => {
+                    let mut aircraft = scene.aircraft.iter();
+                    let index = aircraft.position(|one| one.model.as_ref() == Some(name)).unwrap_or_default();
+                    let place = format!("aircraft[{index}].model");
+                    problems.push(Problem::error(place, format!("“{name}”: {message}"), hint));
+                }
+            }
+        }
+        (beside, problems)
+    }
+
+    /// Whether it is what `scene` names.
+    pub(crate) fn is_of(&self, scene: &Scene) -> bool {
+        self.names == Names::of(scene)
+    }
+
+    /// The sheet to draw with.
+    pub fn sheet(&self) -> &Atlas {
+        self.atlas.as_deref().unwrap_or_else(|| Atlas::built_in())
+    }
+
+    /// The aircraft's shapes.
+    pub fn meshes(&self) -> &Meshes {
+        &self.meshes
+    }
+}
+
+impl Names {
+    fn of(scene: &Scene) -> Self {
+        let models = scene.aircraft.iter().filter_map(|aircraft| aircraft.model.clone());
+        Self { atlas: scene.atlas.clone(), models: models.collect() }
+    }
+}
+
+/// What is wrong, and a hint.
+type Trouble = (String, &'static str);
+
+fn atlas(name: &str, scene_path: Option<&Path>) -> Result<Atlas, Trouble> {
+    let hint = "an atlas is a PNG of 512 × 512 pixels with alpha; take `atlas` out for the built-in one";
+    Atlas::from_png(&file(name, scene_path, MAX_ATLAS_BYTES)?).map_err(|error| (error.to_string(), hint))
+}
+
+fn file(name: &str, scene_path: Option<&Path>, max_bytes: usize) -> Result<Vec<u8>, Trouble> {
+    // A scene from elsewhere has no business with files in other folders.
+    let is_beside = Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
+    if !is_beside || name.is_empty() {
+        return Err(("it doesn't lie beside the scene file".into(), "copy it there, and give its name alone"));
+    }
+    let Some(scene_path) = scene_path else {
+        return Err(("the scene has no folder yet".into(), "save the scene beside it"));
+    };
+    storage::read(&scene_path.with_file_name(name), max_bytes).map_err(|error| {
+        (
+            format!("can't be read: {}", error.reason()),
+            "put it beside the scene file, or take its name out of the scene",
+        )
+    })
+}
