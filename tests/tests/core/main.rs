@@ -5,7 +5,7 @@ mod assets;
 mod derived;
 mod draw_list;
 mod export;
-mod overdraw;
+mod measure;
 mod raster;
 mod scene_file;
 mod shading;
