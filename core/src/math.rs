@@ -34,12 +34,15 @@ pub fn across(v: Vec3, axis: Vec3) -> Vec3 {
 #[inline(always)]
 pub fn exp(x: f32) -> f32 {
     let x = x.clamp(-87.4, 87.4);
-    let whole = (x * std::f32::consts::LOG2_E + 0.5).floor();
+    // So large a number has no bits left below 1: a sum with it is rounded, and its lowest bits are the whole number.
+    const ROUNDER: f32 = 1.5 * 8_388_608.0;
+    let rounded = x * std::f32::consts::LOG2_E + ROUNDER;
+    let whole = rounded - ROUNDER;
     // ln 2 in two parts, so that the difference is exact (Cody and Waite 1980); what is left lies within ½ ln 2.
     let r = (x - whole * 0.693_359_4) + whole * 2.121_944_4e-4;
     let fraction =
         1.0 + r * (1.0 + r * (0.5 + r * (1.0 / 6.0 + r * (1.0 / 24.0 + r * (1.0 / 120.0 + r * (1.0 / 720.0))))));
-    let scale = f32::from_bits(((whole as i32 + 127) as u32) << 23);
+    let scale = f32::from_bits((rounded.to_bits() << 23).wrapping_add(1.0_f32.to_bits()));
     if x < -87.3 { 0.0 } else { fraction * scale }
 }
 

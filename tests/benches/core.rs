@@ -2,7 +2,7 @@
 //!
 //! Targets on an idle machine of two cores: 20,000 sprites populated in 30 ms on one core, and time a sprite at 10⁶
 //! below three times that at 10⁴; 80,000 corners shaded in 5 ms on one core; 10⁶ keys sorted in 40 ms; two pictures of
-1280 × 720 pixels compared by ꟻLIP in 150 ms, in linear light in 10 ms, both on one core.
+//! 1280 × 720 pixels compared by ꟻLIP in 150 ms, in linear light in 10 ms, both on one core.
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{DrawSprite, sort_back_to_front};

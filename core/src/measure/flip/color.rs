@@ -4,7 +4,6 @@
 //! with X, Y, Z 1 each for white. Colours are compared in CIELAB, its hues weighted by lightness (Hunt's effect), by
 //! the distance HyAB (Abasi, Amani Tehran, Fairchild 2020), which takes hues apart from lightness.
 
-use super::convolve::{BLOCK, Block};
 use crate::color::linear_from_srgb;
 use crate::math::pow;
 use glam::{DMat3, DVec3};
@@ -52,25 +51,33 @@ impl Colors {
     /// Y, X − Y and Y − Z of a pixel.
     #[inline]
     pub fn opponent(&self, [r, g, b, _]: [u8; 4]) -> [f32; 3] {
-        let [x, y, z] = product(&self.xyz_from_rgb, [r, g, b].map(|byte| self.linear[usize::from(byte)]));
+        let linear = |byte: u8| self.linear[usize::from(byte)];
+        let [x, y, z] = product(&self.xyz_from_rgb, [linear(r), linear(g), linear(b)]);
         [y, x - y, y - z]
     }
 
-    /// The errors of opponent colours, 0 to 1.
-    pub fn difference(&self, reference: &[Block; 3], test: &[Block; 3]) -> Block {
-        let mut errors = [0.0; BLOCK];
-        for (i, error) in errors.iter_mut().enumerate() {
-            let [a, b] = [reference, test].map(|colors| self.even_steps([colors[0][i], colors[1][i], colors[2][i]]));
-            *error = self.redistributed(distance(a, b));
+    /// Turns opponent colours into lightness and two hues, in even steps.
+    pub fn even(&self, [y, x_y, y_z]: &mut [Vec<f32>; 3]) {
+        for ((y, x_y), y_z) in y.iter_mut().zip(x_y).zip(y_z) {
+            [*y, *x_y, *y_z] = self.even_steps([*y, *x_y, *y_z]);
         }
-        errors
+    }
+
+    /// The errors of colours in even steps, 0 to 1.
+    pub fn put_errors(&self, errors: &mut [f32], [l0, r0, y0]: &[Vec<f32>; 3], [l1, r1, y1]: &[Vec<f32>; 3]) {
+        let (lightness, hues) = (l0.iter().zip(l1), r0.iter().zip(r1).zip(y0.iter().zip(y1)));
+        for ((error, (l0, l1)), ((r0, r1), (y0, y1))) in errors.iter_mut().zip(lightness).zip(hues) {
+            *error = self.redistributed(distance([*l0, *r0, *y0], [*l1, *r1, *y1]));
+        }
     }
 
     /// Lightness and two hues of an opponent colour, of which a display shows what it can.
     #[inline(always)]
     fn even_steps(&self, [y, x_y, y_z]: [f32; 3]) -> [f32; 3] {
-        let shown = product(&self.rgb_from_xyz, [y + x_y, y, y - y_z]).map(|channel| channel.clamp(0.0, 1.0));
-        let [x, y, z] = product(&self.xyz_from_rgb, shown).map(evened);
+        let [r, g, b] = product(&self.rgb_from_xyz, [y + x_y, y, y - y_z]);
+        let shown = [r.clamp(0.0, 1.0), g.clamp(0.0, 1.0), b.clamp(0.0, 1.0)];
+        let [x, y, z] = product(&self.xyz_from_rgb, shown);
+        let [x, y, z] = [evened(x), evened(y), evened(z)];
         let lightness = 116.0 * y - 16.0;
         let hunt = 0.01 * lightness;
         [lightness, hunt * 500.0 * (x - y), hunt * 200.0 * (y - z)]
@@ -103,5 +110,6 @@ fn distance(a: [f32; 3], b: [f32; 3]) -> f32 {
 
 #[inline(always)]
 fn product(rows: &[[f32; 3]; 3], [x, y, z]: [f32; 3]) -> [f32; 3] {
-    [rows[0], rows[1], rows[2]].map(|row| row[0] * x + row[1] * y + row[2] * z)
+    let row = |i: usize| rows[i][0] * x + rows[i][1] * y + rows[i][2] * z;
+    [row(0), row(1), row(2)]
 }

@@ -1,38 +1,34 @@
-//! ꟻLIP's sums over rows and columns, sixteen pixels at a time.
+//! ꟻLIP's sums over rows and columns.
 //!
 //! A band of a picture is filtered along its rows as soon as its colours are known; what comes out stands in planes,
-//! from which any sixteen pixels in a row can be filtered down their columns. Both directions are one sum: of blocks
-//! of sixteen numbers, a pixel or a row apart. Its order is fixed, so the number of threads changes nothing.
+//! from which any piece can be filtered down its columns. Both directions are one sum: of pieces of rows, a
+//! pixel or a row apart, so that the same weight meets many numbers side by side. Its order is fixed, so the number of
+//! threads changes nothing.
 
 use super::color::Colors;
 use super::filters::{Filters, Half};
 use crate::image::Picture;
 use std::ops::Range;
 
-/// Pixels that are filtered at once: what a processor's registers hold.
-pub const BLOCK: usize = 16;
-/// A number for each of them.
-pub type Block = [f32; BLOCK];
-
-/// What an eye makes of sixteen pixels.
+/// What an eye makes of a piece of a picture, row by row.
 pub struct Seen {
     /// Luminance, red against green, blue against yellow: as [`Colors::opponent`], as sharp as the eye sees them.
-    pub opponent: [Block; 3],
+    pub opponent: [Vec<f32>; 3],
     /// Strength of edges.
-    pub edge: Block,
+    pub edge: Vec<f32>,
     /// Strength of points.
-    pub point: Block,
+    pub point: Vec<f32>,
 }
 
 /// Rows of a picture, filtered along the rows.
 pub struct Band<'a> {
     filters: &'a Filters,
+    /// Pixels a row.
+    width: usize,
     /// The rows that there are in the picture.
     height: usize,
     /// The first of those that are kept: as many before and after the band's own as the filters reach.
     first: usize,
-    /// Numbers from row to row of a plane.
-    stride: usize,
     /// For luminance, red against green, blue against yellow: a plane for each of their Gaussians.
     opponent: [Vec<Vec<f32>>; 3],
     smooth: Vec<f32>,
@@ -45,121 +41,109 @@ impl<'a> Band<'a> {
     pub fn new(filters: &'a Filters, colors: &Colors, picture: &Picture, rows: Range<usize>) -> Self {
         let (width, height, reach) = (picture.width as usize, picture.height as usize, filters.reach);
         let kept = rows.start.saturating_sub(reach)..(rows.end + reach).min(height);
-        let stride = width.next_multiple_of(BLOCK);
-        let plane = || Vec::with_capacity(kept.len() * stride);
+        let plane = || vec![0.0; kept.len() * width];
         let mut band = Self {
             filters,
+            width,
             height,
             first: kept.start,
-            stride,
             opponent: filters.sensitivity.each_ref().map(|gaussians| gaussians.iter().map(|_| plane()).collect()),
             smooth: plane(),
             slope: plane(),
             bend: plane(),
         };
-        for line in picture.pixels.chunks(width.max(1)).take(kept.end).skip(kept.start) {
-            band.push(&padded(colors, line, stride, reach));
+        let lines = picture.pixels.chunks_exact(width.max(1)).take(kept.end).skip(kept.start);
+        for (row, line) in lines.enumerate() {
+            band.filter_row(row, &padded(colors, line, reach));
         }
         band
     }
 
-    /// Adds a row, given as its three channels with the filters' reach before and after it.
-    fn push(&mut self, channels: &[Vec<f32>; 3]) {
-        let Self { filters, stride, .. } = *self;
-        for start in (0..stride).step_by(BLOCK) {
-            let middle = start + filters.reach;
-            for ((planes, halves), channel) in self.opponent.iter_mut().zip(&filters.sensitivity).zip(channels) {
-                for (plane, half) in planes.iter_mut().zip(halves) {
-                    plane.extend_from_slice(&even(half, along(channel, middle)));
-                }
+    /// Filters one of the rows kept, given as its three channels with as much before and after it as the filters reach.
+    fn filter_row<'b>(&mut self, row: usize, channels: &'b [Vec<f32>; 3]) {
+        let (filters, width) = (self.filters, self.width);
+        let along = |numbers: &'b [f32], k: isize| &numbers[filters.reach.wrapping_add_signed(k)..][..width];
+        let of = row * width..(row + 1) * width;
+        for (channel, planes) in self.opponent.iter_mut().enumerate() {
+            for (plane, half) in planes.iter_mut().zip(&filters.sensitivity[channel]) {
+                add_even(&mut plane[of.clone()], half, &|k| along(&channels[channel], k));
             }
-            self.smooth.extend_from_slice(&even(&filters.smooth, along(&channels[0], middle)));
-            self.slope.extend_from_slice(&odd(&filters.slope, along(&channels[0], middle)));
-            self.bend.extend_from_slice(&even(&filters.bend, along(&channels[0], middle)));
         }
+        add_even(&mut self.smooth[of.clone()], &filters.smooth, &|k| along(&channels[0], k));
+        add_odd(&mut self.slope[of.clone()], &filters.slope, &|k| along(&channels[0], k));
+        add_even(&mut self.bend[of], &filters.bend, &|k| along(&channels[0], k));
     }
 
-    /// Sixteen pixels from `column` on in a row of the picture that is one of the band's own.
-    pub fn see(&self, row: usize, column: usize) -> Seen {
-        let (filters, at) = (self.filters, [row, column]);
-        let opponent = std::array::from_fn(|channel| {
-            let gaussians = self.opponent[channel].iter().zip(&filters.sensitivity[channel]);
-            gaussians.fold([0.0; BLOCK], |sum, (plane, half)| add(sum, even(half, self.down(plane, at))))
-        });
-        let across = even(&filters.smooth, self.down(&self.slope, at));
-        let upright = odd(&filters.slope, self.down(&self.smooth, at));
-        let across_twice = even(&filters.smooth, self.down(&self.bend, at));
-        let upright_twice = even(&filters.bend, self.down(&self.smooth, at));
-        Seen { opponent, edge: length(across, upright), point: length(across_twice, upright_twice) }
-    }
-
-    /// The blocks of a plane above and below a place: so many rows down, or the last that there is.
-    #[inline(always)]
-    fn down<'b>(&'b self, plane: &'b [f32], [row, column]: [usize; 2]) -> impl Fn(isize) -> &'b Block {
-        move |k| {
-            let row = row.saturating_add_signed(k).min(self.height - 1);
-            block(plane, (row - self.first) * self.stride + column)
+    /// Some columns of some of the band's own rows, which count as the picture's do; row by row.
+    pub fn see(&self, rows: &Range<usize>, columns: &Range<usize>) -> Seen {
+        let Filters { sensitivity, smooth, slope, bend, .. } = self.filters;
+        let none = || vec![0.0; rows.len() * columns.len()];
+        // All rows for one filter, then for the next: what rows have in common stays in the cache.
+        let add = |sums: &mut [f32], adds: Adds, half: &Half, plane: &[f32]| {
+            for (row, sums) in rows.clone().zip(sums.chunks_exact_mut(columns.len())) {
+                let start = |k: isize| (row.saturating_add_signed(k).min(self.height - 1) - self.first) * self.width;
+                adds(sums, half, &|k| &plane[start(k)..][columns.clone()]);
+            }
+        };
+        let mut opponent = [none(), none(), none()];
+        for (channel, sums) in opponent.iter_mut().enumerate() {
+            for (plane, half) in self.opponent[channel].iter().zip(&sensitivity[channel]) {
+                add(sums, add_even, half, plane);
+            }
         }
+        let [mut across, mut upright, mut across_twice, mut upright_twice] = [none(), none(), none(), none()];
+        add(&mut across, add_even, smooth, &self.slope);
+        add(&mut upright, add_odd, slope, &self.smooth);
+        add(&mut across_twice, add_even, smooth, &self.bend);
+        add(&mut upright_twice, add_even, bend, &self.smooth);
+        Seen { opponent, edge: length(across, &upright), point: length(across_twice, &upright_twice) }
     }
 }
 
-/// A row's opponent colours, its first and last going on for `reach` pixels, and up to whole blocks.
-fn padded(colors: &Colors, line: &[[u8; 4]], stride: usize, reach: usize) -> [Vec<f32>; 3] {
+/// A row's opponent colours, its first and last going on for `reach` pixels.
+fn padded(colors: &Colors, line: &[[u8; 4]], reach: usize) -> [Vec<f32>; 3] {
     let mut channels = [const { Vec::new() }; 3];
-    channels.iter_mut().for_each(|channel| channel.reserve(stride + 2 * reach));
-    let after = stride + reach - line.len();
-    let before = std::iter::repeat_n(line.first(), reach).flatten();
-    for pixel in before.chain(line).chain(std::iter::repeat_n(line.last(), after).flatten()) {
-        for (channel, value) in channels.iter_mut().zip(colors.opponent(*pixel)) {
-            channel.push(value);
-        }
+    channels.iter_mut().for_each(|channel: &mut Vec<f32>| channel.resize(reach + line.len() + reach, 0.0));
+    let end = reach + line.len();
+    for (x, pixel) in (reach..).zip(line) {
+        [channels[0][x], channels[1][x], channels[2][x]] = colors.opponent(*pixel);
+    }
+    for channel in &mut channels {
+        let (first, last) = (channel[reach], channel[end - 1]);
+        channel[..reach].fill(first);
+        channel[end..].fill(last);
     }
     channels
 }
 
-/// The blocks of a row around a place: so many numbers on.
-#[inline(always)]
-fn along<'a>(row: &'a [f32], middle: usize) -> impl Fn(isize) -> &'a Block {
-    move |k| block(row, middle.wrapping_add_signed(k))
-}
+/// How a filter's sums are added to others.
+type Adds = for<'a> fn(&mut [f32], &Half, &dyn Fn(isize) -> &'a [f32]);
 
-/// The block that begins at `start`.
-#[inline(always)]
-fn block(numbers: &[f32], start: usize) -> &Block {
-    numbers.get(start..).and_then(|rest| rest.first_chunk()).unwrap_or(&[0.0; BLOCK])
-}
-
-/// Weights a block and those on both sides of it: `at` gives the block so many steps on.
-#[inline(always)]
-fn even<'a>(half: &Half, at: impl Fn(isize) -> &'a Block) -> Block {
-    let middle = half.first().copied().unwrap_or(0.0);
-    let mut sum = at(0).map(|value| middle * value);
-    for (k, weight) in (1..).zip(&half[1..]) {
-        let (before, after) = (at(-k), at(k));
-        for i in 0..BLOCK {
-            sum[i] += weight * (before[i] + after[i]);
+/// Adds to `sums` what a filter makes of the numbers around them: `at` gives those so many steps on.
+fn add_even<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) {
+    let Some((middle, sides)) = half.split_first() else { return };
+    for (sum, value) in sums.iter_mut().zip(at(0)) {
+        *sum += middle * value;
+    }
+    for (k, weight) in (1..).zip(sides) {
+        for ((sum, before), after) in sums.iter_mut().zip(at(-k)).zip(at(k)) {
+            *sum += weight * (before + after);
         }
     }
-    sum
 }
 
-/// As [`even`] with the weights before the middle negative.
-#[inline(always)]
-fn odd<'a>(half: &Half, at: impl Fn(isize) -> &'a Block) -> Block {
-    let mut sum = [0.0; BLOCK];
-    for (k, weight) in (1..).zip(&half[1..]) {
-        let (before, after) = (at(-k), at(k));
-        for i in 0..BLOCK {
-            sum[i] += weight * (after[i] - before[i]);
+/// As [`add_even`] with the weights before the middle negative, and none for it.
+fn add_odd<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) {
+    for (k, weight) in (0..).zip(half).skip(1) {
+        for ((sum, before), after) in sums.iter_mut().zip(at(-k)).zip(at(k)) {
+            *sum += weight * (after - before);
         }
     }
-    sum
 }
 
-fn add(a: Block, b: Block) -> Block {
-    std::array::from_fn(|i| a[i] + b[i])
-}
-
-fn length(a: Block, b: Block) -> Block {
-    std::array::from_fn(|i| (a[i] * a[i] + b[i] * b[i]).sqrt())
+fn length(mut a: Vec<f32>, b: &[f32]) -> Vec<f32> {
+    for (a, b) in a.iter_mut().zip(b) {
+        *a = (*a * *a + b * b).sqrt();
+    }
+    a
 }

@@ -6,8 +6,7 @@
 //! are keen on, raise the error: 0 is equal, 1 is black for white.
 //!
 //! All filters are sums of products of a filter along rows and one along columns, so a pixel takes some 300 products
-//! instead of 2,500. Bands of rows are filtered along the rows, then down the columns sixteen pixels at a time;
-//! [`filters`] has the weights, [`convolve`] the sums, [`color`] the colours. The published tool is the judge
+//! instead of 2,500. Bands of rows are filtered along the rows, then down the columns; [`filters`] has the weights, [`convolve`] the sums, [`color`] the colours. The published tool is the judge
 //! (tests/flip_reference.py), plain sums over squares are the oracle (tests/tests/core/measure/flip.rs).
 
 mod color;
@@ -16,8 +15,9 @@ mod filters;
 
 use super::{PixelMap, SizesDiffer};
 use crate::image::Picture;
+use crate::math::pow;
 use color::Colors;
-use convolve::{BLOCK, Band, Seen};
+use convolve::{Band, Seen};
 use filters::Filters;
 use rayon::prelude::*;
 
@@ -27,6 +27,8 @@ pub const PIXELS_PER_DEGREE: f64 = 67.020_643;
 
 /// Rows that are filtered together. Those around a band are filtered for both neighbours: a fifth more at this height.
 const BAND: usize = 64;
+/// Columns that are filtered together.
+const PIECE: usize = 128;
 
 /// Each pixel's error, 0 to 1. `pixels_per_degree` is taken into 1 to 1,000, NaN for [`PIXELS_PER_DEGREE`]. Beyond the
 /// edges the pictures go on as at them.
@@ -43,24 +45,29 @@ pub fn flip(reference: &Picture, test: &Picture, pixels_per_degree: f64) -> Resu
     bands.for_each(|(index, out)| {
         let rows = index * BAND..((index + 1) * BAND).min(height as usize);
         let bands = [reference, test].map(|picture| Band::new(&filters, &colors, picture, rows.clone()));
-        for (row, line) in rows.zip(out.chunks_mut(width as usize)) {
-            for (block, pixels) in line.chunks_mut(BLOCK).enumerate() {
-                let [reference, test] = bands.each_ref().map(|band| band.see(row, block * BLOCK));
-                let errors = error(&colors, &reference, &test);
-                pixels.copy_from_slice(&errors[..pixels.len()]);
+        for start in (0..width as usize).step_by(PIECE) {
+            let columns = start..(start + PIECE).min(width as usize);
+            let [reference, test] = bands.each_ref().map(|band| band.see(&rows, &columns));
+            let errors = errors(&colors, reference, test);
+            for (line, piece) in out.chunks_mut(width as usize).zip(errors.chunks(columns.len())) {
+                line[columns.clone()].copy_from_slice(piece);
             }
         }
     });
     Ok(PixelMap { width, height, values })
 }
 
-/// The colour's error raised by the features': c^(1 − f), sixteen pixels at once.
-fn error(colors: &Colors, reference: &Seen, test: &Seen) -> [f32; BLOCK] {
-    let color = colors.difference(&reference.opponent, &test.opponent);
-    std::array::from_fn(|i| {
-        let edge = (reference.edge[i] - test.edge[i]).abs();
-        let point = (reference.point[i] - test.point[i]).abs();
-        let feature = (edge.max(point) * std::f32::consts::FRAC_1_SQRT_2).sqrt();
-        crate::math::pow(color[i], 1.0 - feature)
-    })
+/// The colours' errors raised by the features': c^(1 − f).
+fn errors(colors: &Colors, mut reference: Seen, mut test: Seen) -> Vec<f32> {
+    colors.even(&mut reference.opponent);
+    colors.even(&mut test.opponent);
+    let mut errors = vec![0.0; reference.edge.len()];
+    colors.put_errors(&mut errors, &reference.opponent, &test.opponent);
+    let edges = reference.edge.iter().zip(&test.edge);
+    let points = reference.point.iter().zip(&test.point);
+    for ((error, (edge0, edge1)), (point0, point1)) in errors.iter_mut().zip(edges).zip(points) {
+        let feature = (edge0 - edge1).abs().max((point0 - point1).abs()) * std::f32::consts::FRAC_1_SQRT_2;
+        *error = pow(*error, 1.0 - feature.sqrt());
+    }
+    errors
 }
