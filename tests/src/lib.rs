@@ -2,6 +2,7 @@
 
 pub mod atlas;
 pub mod authoring;
+pub mod flip_pairs;
 pub mod gpu;
 pub mod small_scenes;
 pub mod stability;

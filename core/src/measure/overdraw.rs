@@ -5,10 +5,16 @@
 //! the near plane and the frustum's sides in view space (Sutherland and Hodgman 1974), projected, and measured by
 //! Gauss's shoelace. It costs some hundred operations a sprite instead of a visit to each pixel. The CPU renderer stops
 //! early and passes over clear texels, so it blends fewer.
+//!
+//! [`overdraw`] is that sum, cheap enough to show while someone edits. Where the fragments lie, and how many the worst
+//! pixels have, takes counting: [`overdraw_map`].
 
+use super::PixelMap;
 use crate::camera::{NEAR_M, View};
 use crate::facing::corners;
 use crate::frame::Frame;
+use crate::raster::fast::bins::{TILE, TileRect, assemble, map_tiles};
+use crate::raster::{Linear, ScreenSprite, prepare};
 use glam::Vec3;
 use rayon::prelude::*;
 
@@ -40,6 +46,35 @@ pub fn overdraw(frame: &Frame<'_>) -> Overdraw {
         .collect();
     let fragments = parts.iter().sum();
     Overdraw { fragments, mean_per_pixel: fragments / (f64::from(view.width) * f64::from(view.height)) }
+}
+
+/// How many sprites of the frame's draw list are blended at each pixel: those whose quads its centre lies in.
+pub fn overdraw_map(frame: &Frame<'_>) -> PixelMap {
+    let (width, height) = (frame.view.width, frame.view.height);
+    let sprites = prepare(frame);
+    let tiles = map_tiles(&sprites, width, height, |rect, members| {
+        let mut counts = vec![[0.0; TILE]; rect.height as usize];
+        members.iter().for_each(|&member| count(&sprites[member as usize], rect, &mut counts));
+        counts.iter().flat_map(|row| &row[..rect.width as usize]).copied().collect()
+    });
+    PixelMap { width, height, values: assemble(&tiles, width, height, 0.0) }
+}
+
+/// Adds 1 where a sprite's quad covers a pixel's centre. Texture coordinates and depth are quotients with one
+/// denominator, so each side of the quad, and the near plane, is where a linear function changes sign.
+fn count(sprite: &ScreenSprite, rect: TileRect, counts: &mut [[f32; TILE]]) {
+    let (left, top) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
+    let near = |denominator: f32| sprite.depth - NEAR_M * denominator;
+    for (row, counts) in counts.iter_mut().enumerate() {
+        let y = top + row as f32;
+        for (x, count) in counts.iter_mut().enumerate() {
+            let at = |linear: Linear| linear.at(left + x as f32, y);
+            let (u, v, denominator) = (at(sprite.u), at(sprite.v), at(sprite.denominator));
+            let inside = u.min(denominator - u).min(v).min(denominator - v).min(near(denominator));
+            // The denominator is not negative where u and the rest of it are not; at 0 the ray meets nothing.
+            *count += if inside >= 0.0 && denominator > 0.0 { 1.0 } else { 0.0 };
+        }
+    }
 }
 
 /// Area of a convex, flat polygon (eye-relative corners) on the screen, in pixels.

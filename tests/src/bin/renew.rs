@@ -1,4 +1,4 @@
-//! Makes what is checked in again: `renew atlas | scenes | presets | models | schema | shortcuts | pictures DIR`.
+//! Makes what is checked in again: `renew atlas | scenes | presets | models | schema | shortcuts | flip | pictures DIR`.
 //!
 //! Run in the project's root. Tests say when one of them, pictures apart, is stale.
 
@@ -10,7 +10,7 @@ use cloudwright_core::raster::fast;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_tests::atlas;
 use cloudwright_tests::authoring::{self, NamedScene};
-use cloudwright_tests::with_shortcuts;
+use cloudwright_tests::{flip_pairs, with_shortcuts};
 use std::error::Error;
 use std::fs::{self, File};
 use std::path::Path;
@@ -26,9 +26,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["models"] => write_models(),
         ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
         ["shortcuts"] => Ok(fs::write("README.md", with_shortcuts(&fs::read_to_string("README.md")?)?)?),
+        ["flip"] => write_flip_pairs("tests/flip".as_ref()),
         ["pictures", folder] => pictures(folder.as_ref(), ""),
         ["pictures", folder, only] => pictures(folder.as_ref(), only),
-        _ => Err("usage: renew atlas | scenes | presets | models | schema | shortcuts | pictures DIR [SCENE]".into()),
+        _ => {
+            Err("usage: renew atlas | scenes | presets | models | schema | shortcuts | flip | pictures DIR [SCENE]"
+                .into())
+        }
     }
 }
 
@@ -58,6 +62,16 @@ fn pictures(folder: &Path, only: &str) -> Result<(), Box<dyn Error>> {
             let picture = fast::picture(&frame);
             eprintln!("{name} {}: {} sprites, {:.1?}", camera.name, frame.list.sprites.len(), start.elapsed());
             write_png(&folder.join(format!("{name}_{}.png", camera.name)), width, height, picture.as_bytes())?;
+        }
+    }
+    Ok(())
+}
+
+fn write_flip_pairs(folder: &Path) -> Result<(), Box<dyn Error>> {
+    fs::create_dir_all(folder)?;
+    for (name, reference, test) in flip_pairs::make() {
+        for (picture, of) in [(reference, "reference"), (test, "test")] {
+            write_png(&folder.join(format!("{name}_{of}.png")), picture.width, picture.height, picture.as_bytes())?;
         }
     }
     Ok(())

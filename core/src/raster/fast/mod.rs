@@ -7,7 +7,7 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-pub(super) mod bins;
+pub(crate) mod bins;
 mod tile;
 
 use super::{ScreenSprite, develop, faded, prepare};
