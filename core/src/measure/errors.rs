@@ -51,11 +51,8 @@ pub struct OpacityError {
 /// # Errors
 /// If they are of different sizes.
 pub fn linear_error(a: &LinearPicture, b: &LinearPicture) -> Result<LinearError, SizesDiffer> {
-    let map = linear_error_map(a, b)?;
-    let width = (a.width as usize).max(1);
-    let rows = a.pixels.par_chunks(width).zip(b.pixels.par_chunks(width));
-    let row_sums: Vec<f64> = rows.map(|(a, b)| squares(a, b)).collect();
-    let mean_square = row_sums.iter().sum::<f64>() / (3 * map.values.len()).max(1) as f64;
+    let (map, squares) = compared(a, b)?;
+    let mean_square = squares / (3 * map.values.len()).max(1) as f64;
     Ok(LinearError { rmse: mean_square.sqrt(), largest: map.largest(), p999: map.percentile(0.999) })
 }
 
@@ -64,9 +61,17 @@ pub fn linear_error(a: &LinearPicture, b: &LinearPicture) -> Result<LinearError,
 /// # Errors
 /// If the pictures are of different sizes.
 pub fn linear_error_map(a: &LinearPicture, b: &LinearPicture) -> Result<PixelMap, SizesDiffer> {
+    compared(a, b).map(|(map, _)| map)
+}
+
+/// Each pixel's largest difference, and the sum of all squares; the pictures are read but once.
+fn compared(a: &LinearPicture, b: &LinearPicture) -> Result<(PixelMap, f64), SizesDiffer> {
     SizesDiffer::check([a.width, a.height], [b.width, b.height])?;
-    let values = a.pixels.par_iter().zip(&b.pixels).map(|(a, b)| largest_difference(*a, *b)).collect();
-    Ok(PixelMap { width: a.width, height: a.height, values })
+    let width = (a.width as usize).max(1);
+    let mut values = vec![0.0; a.pixels.len()];
+    let rows = values.par_chunks_mut(width).zip(a.pixels.par_chunks(width)).zip(b.pixels.par_chunks(width));
+    let row_sums: Vec<f64> = rows.map(|((largest, a), b)| put_row(largest, a, b)).collect();
+    Ok((PixelMap { width: a.width, height: a.height, values }, row_sums.iter().sum()))
 }
 
 /// Compares two layers' opacity. Without pixels nothing differs.
@@ -84,9 +89,9 @@ pub fn opacity_error(a: &Layer, b: &Layer) -> Result<OpacityError, SizesDiffer> 
 #[inline(always)]
 pub(super) fn apart(a: f32, b: f32) -> f32 {
     let difference = (a - b).abs();
-    let same = a == b || (a.is_nan() && b.is_nan());
-    let difference = if difference.is_nan() { f32::INFINITY } else { difference };
-    if same { 0.0 } else { difference }
+    // Two infinities of one sign, or two that are no numbers, are the same.
+    let odd = if a == b || (a.is_nan() && b.is_nan()) { 0.0 } else { f32::INFINITY };
+    if difference.is_nan() { odd } else { difference }
 }
 
 /// The largest channel's difference.
@@ -95,14 +100,16 @@ pub(super) fn largest_difference(a: Rgb, b: Rgb) -> f32 {
     apart(a.r, b.r).max(apart(a.g, b.g)).max(apart(a.b, b.b))
 }
 
-fn squares(a: &[Rgb], b: &[Rgb]) -> f64 {
+/// Puts a row's largest differences into `largest`, and gives the sum of the squares.
+fn put_row(largest: &mut [f32], a: &[Rgb], b: &[Rgb]) -> f64 {
     // A sum for each channel: three chains of additions that don't wait for one another.
     let mut sums = [0.0; 3];
-    for (a, b) in a.iter().zip(b) {
-        for (sum, (a, b)) in sums.iter_mut().zip(a.to_array().into_iter().zip(b.to_array())) {
-            let difference = f64::from(apart(a, b));
+    for ((largest, a), b) in largest.iter_mut().zip(a).zip(b) {
+        let differences = [apart(a.r, b.r), apart(a.g, b.g), apart(a.b, b.b)];
+        for (sum, difference) in sums.iter_mut().zip(differences.map(f64::from)) {
             *sum += difference * difference;
         }
+        *largest = differences[0].max(differences[1]).max(differences[2]);
     }
     sums.iter().sum()
 }

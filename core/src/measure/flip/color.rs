@@ -49,7 +49,7 @@ impl Colors {
     }
 
     /// Y, X − Y and Y − Z of a pixel.
-    #[inline]
+    #[inline(always)]
     pub fn opponent(&self, [r, g, b, _]: [u8; 4]) -> [f32; 3] {
         let linear = |byte: u8| self.linear[usize::from(byte)];
         let [x, y, z] = product(&self.xyz_from_rgb, [linear(r), linear(g), linear(b)]);
@@ -57,6 +57,7 @@ impl Colors {
     }
 
     /// Turns opponent colours into lightness and two hues, in even steps.
+    #[inline(always)]
     pub fn even(&self, [y, x_y, y_z]: &mut [Vec<f32>; 3]) {
         for ((y, x_y), y_z) in y.iter_mut().zip(x_y).zip(y_z) {
             [*y, *x_y, *y_z] = self.even_steps([*y, *x_y, *y_z]);
@@ -64,6 +65,7 @@ impl Colors {
     }
 
     /// The errors of colours in even steps, 0 to 1.
+    #[inline(always)]
     pub fn put_errors(&self, errors: &mut [f32], [l0, r0, y0]: &[Vec<f32>; 3], [l1, r1, y1]: &[Vec<f32>; 3]) {
         let (lightness, hues) = (l0.iter().zip(l1), r0.iter().zip(r1).zip(y0.iter().zip(y1)));
         for ((error, (l0, l1)), ((r0, r1), (y0, y1))) in errors.iter_mut().zip(lightness).zip(hues) {

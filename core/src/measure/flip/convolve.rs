@@ -38,6 +38,7 @@ pub struct Band<'a> {
 
 impl<'a> Band<'a> {
     /// Filters `rows` of a picture, and those around them, along the rows.
+    #[inline(always)]
     pub fn new(filters: &'a Filters, colors: &Colors, picture: &Picture, rows: Range<usize>) -> Self {
         let (width, height, reach) = (picture.width as usize, picture.height as usize, filters.reach);
         let kept = rows.start.saturating_sub(reach)..(rows.end + reach).min(height);
@@ -60,47 +61,61 @@ impl<'a> Band<'a> {
     }
 
     /// Filters one of the rows kept, given as its three channels with as much before and after it as the filters reach.
+    #[inline(always)]
     fn filter_row<'b>(&mut self, row: usize, channels: &'b [Vec<f32>; 3]) {
         let (filters, width) = (self.filters, self.width);
         let along = |numbers: &'b [f32], k: isize| &numbers[filters.reach.wrapping_add_signed(k)..][..width];
         let of = row * width..(row + 1) * width;
         for (channel, planes) in self.opponent.iter_mut().enumerate() {
             for (plane, half) in planes.iter_mut().zip(&filters.sensitivity[channel]) {
-                add_even(&mut plane[of.clone()], half, &|k| along(&channels[channel], k));
+                add_even(&mut plane[of.clone()], half, |k| along(&channels[channel], k));
             }
         }
-        add_even(&mut self.smooth[of.clone()], &filters.smooth, &|k| along(&channels[0], k));
-        add_odd(&mut self.slope[of.clone()], &filters.slope, &|k| along(&channels[0], k));
-        add_even(&mut self.bend[of], &filters.bend, &|k| along(&channels[0], k));
+        add_even(&mut self.smooth[of.clone()], &filters.smooth, |k| along(&channels[0], k));
+        add_odd(&mut self.slope[of.clone()], &filters.slope, |k| along(&channels[0], k));
+        add_even(&mut self.bend[of], &filters.bend, |k| along(&channels[0], k));
     }
 
     /// Some columns of some of the band's own rows, which count as the picture's do; row by row.
+    #[inline(always)]
     pub fn see(&self, rows: &Range<usize>, columns: &Range<usize>) -> Seen {
         let Filters { sensitivity, smooth, slope, bend, .. } = self.filters;
         let none = || vec![0.0; rows.len() * columns.len()];
-        // All rows for one filter, then for the next: what rows have in common stays in the cache.
-        let add = |sums: &mut [f32], adds: Adds, half: &Half, plane: &[f32]| {
-            for (row, sums) in rows.clone().zip(sums.chunks_exact_mut(columns.len())) {
-                let start = |k: isize| (row.saturating_add_signed(k).min(self.height - 1) - self.first) * self.width;
-                adds(sums, half, &|k| &plane[start(k)..][columns.clone()]);
-            }
-        };
         let mut opponent = [none(), none(), none()];
         for (channel, sums) in opponent.iter_mut().enumerate() {
             for (plane, half) in self.opponent[channel].iter().zip(&sensitivity[channel]) {
-                add(sums, add_even, half, plane);
+                self.add_down::<false>(sums, half, plane, rows, columns);
             }
         }
         let [mut across, mut upright, mut across_twice, mut upright_twice] = [none(), none(), none(), none()];
-        add(&mut across, add_even, smooth, &self.slope);
-        add(&mut upright, add_odd, slope, &self.smooth);
-        add(&mut across_twice, add_even, smooth, &self.bend);
-        add(&mut upright_twice, add_even, bend, &self.smooth);
+        self.add_down::<false>(&mut across, smooth, &self.slope, rows, columns);
+        self.add_down::<true>(&mut upright, slope, &self.smooth, rows, columns);
+        self.add_down::<false>(&mut across_twice, smooth, &self.bend, rows, columns);
+        self.add_down::<false>(&mut upright_twice, bend, &self.smooth, rows, columns);
         Seen { opponent, edge: length(across, &upright), point: length(across_twice, &upright_twice) }
+    }
+
+    /// Adds to `sums` what an even or odd filter makes of a plane's columns: all rows for one filter, then for the next,
+    /// since what rows have in common stays in the cache.
+    #[inline(always)]
+    fn add_down<const ODD: bool>(
+        &self,
+        sums: &mut [f32],
+        half: &Half,
+        plane: &[f32],
+        rows: &Range<usize>,
+        columns: &Range<usize>,
+    ) {
+        for (row, sums) in rows.clone().zip(sums.chunks_exact_mut(columns.len())) {
+            let start = |k: isize| (row.saturating_add_signed(k).min(self.height - 1) - self.first) * self.width;
+            let at = |k: isize| &plane[start(k)..][columns.clone()];
+            if ODD { add_odd(sums, half, at) } else { add_even(sums, half, at) }
+        }
     }
 }
 
 /// A row's opponent colours, its first and last going on for `reach` pixels.
+#[inline(always)]
 fn padded(colors: &Colors, line: &[[u8; 4]], reach: usize) -> [Vec<f32>; 3] {
     let mut channels = [const { Vec::new() }; 3];
     channels.iter_mut().for_each(|channel: &mut Vec<f32>| channel.resize(reach + line.len() + reach, 0.0));
@@ -116,11 +131,9 @@ fn padded(colors: &Colors, line: &[[u8; 4]], reach: usize) -> [Vec<f32>; 3] {
     channels
 }
 
-/// How a filter's sums are added to others.
-type Adds = for<'a> fn(&mut [f32], &Half, &dyn Fn(isize) -> &'a [f32]);
-
 /// Adds to `sums` what a filter makes of the numbers around them: `at` gives those so many steps on.
-fn add_even<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) {
+#[inline(always)]
+fn add_even<'a>(sums: &mut [f32], half: &Half, at: impl Fn(isize) -> &'a [f32]) {
     let Some((middle, sides)) = half.split_first() else { return };
     for (sum, value) in sums.iter_mut().zip(at(0)) {
         *sum += middle * value;
@@ -133,7 +146,8 @@ fn add_even<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) 
 }
 
 /// As [`add_even`] with the weights before the middle negative, and none for it.
-fn add_odd<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) {
+#[inline(always)]
+fn add_odd<'a>(sums: &mut [f32], half: &Half, at: impl Fn(isize) -> &'a [f32]) {
     for (k, weight) in (0..).zip(half).skip(1) {
         for ((sum, before), after) in sums.iter_mut().zip(at(-k)).zip(at(k)) {
             *sum += weight * (after - before);
@@ -141,6 +155,7 @@ fn add_odd<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) {
     }
 }
 
+#[inline(always)]
 fn length(mut a: Vec<f32>, b: &[f32]) -> Vec<f32> {
     for (a, b) in a.iter_mut().zip(b) {
         *a = (*a * *a + b * b).sqrt();

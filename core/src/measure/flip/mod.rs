@@ -42,23 +42,60 @@ pub fn flip(reference: &Picture, test: &Picture, pixels_per_degree: f64) -> Resu
     let pixels_per_degree = if pixels_per_degree.is_nan() { PIXELS_PER_DEGREE } else { pixels_per_degree };
     let (filters, colors) = (Filters::new(pixels_per_degree.clamp(1.0, 1000.0)), Colors::new());
     let mut values = vec![0.0; width as usize * height as usize];
-    let bands = values.par_chunks_mut((width as usize * BAND).max(1)).enumerate();
-    bands.for_each(|(index, out)| {
-        let rows = index * BAND..((index + 1) * BAND).min(height as usize);
-        let bands = [reference, test].map(|picture| Band::new(&filters, &colors, picture, rows.clone()));
-        for start in (0..width as usize).step_by(PIECE) {
-            let columns = start..(start + PIECE).min(width as usize);
-            let [reference, test] = bands.each_ref().map(|band| band.see(&rows, &columns));
-            let errors = errors(&colors, reference, test);
-            for (line, piece) in out.chunks_mut(width as usize).zip(errors.chunks(columns.len())) {
-                line[columns.clone()].copy_from_slice(piece);
-            }
-        }
-    });
+    let pair = Pair { filters, colors, pictures: [reference, test], width: width as usize, height: height as usize };
+    values.par_chunks_mut((pair.width * BAND).max(1)).enumerate().for_each(|(index, out)| pair.compare(index, out));
     Ok(PixelMap { width, height, values })
 }
 
+/// What is compared, by what.
+struct Pair<'a> {
+    filters: Filters,
+    colors: Colors,
+    /// Reference and test.
+    pictures: [&'a Picture; 2],
+    width: usize,
+    height: usize,
+}
+
+impl Pair<'_> {
+    /// Puts the errors of the rows of a band into `out`. Wider instructions do the same sums in the same order.
+    fn compare(&self, band: usize, out: &mut [f32]) {
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") {
+            // SAFETY: the processor has AVX2; the function needs nothing else.
+            #[allow(unsafe_code)]
+            return unsafe { self.compare_avx2(band, out) };
+        }
+        self.compare_plainly(band, out);
+    }
+
+    #[cfg(target_arch = "x86_64")]
+    #[target_feature(enable = "avx2")]
+    fn compare_avx2(&self, band: usize, out: &mut [f32]) {
+        self.compare_plainly(band, out);
+    }
+
+    #[inline(always)]
+    fn compare_plainly(&self, band: usize, out: &mut [f32]) {
+        let Self { filters, colors, pictures, width, height } = self;
+        let rows = band * BAND..((band + 1) * BAND).min(*height);
+        let bands = [
+            Band::new(filters, colors, pictures[0], rows.clone()),
+            Band::new(filters, colors, pictures[1], rows.clone()),
+        ];
+        for start in (0..*width).step_by(PIECE) {
+            let columns = start..(start + PIECE).min(*width);
+            let (reference, test) = (bands[0].see(&rows, &columns), bands[1].see(&rows, &columns));
+            let errors = errors(colors, reference, test);
+            for (line, piece) in out.chunks_mut(*width).zip(errors.chunks(columns.len())) {
+                line[columns.clone()].copy_from_slice(piece);
+            }
+        }
+    }
+}
+
 /// The colours' errors raised by the features': c^(1 − f).
+#[inline(always)]
 fn errors(colors: &Colors, mut reference: Seen, mut test: Seen) -> Vec<f32> {
     colors.even(&mut reference.opponent);
     colors.even(&mut test.opponent);
