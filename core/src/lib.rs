@@ -32,6 +32,7 @@ pub mod scene;
 pub mod shading;
 pub mod sky;
 pub mod sprites;
+pub mod thin;
 pub mod tone;
 pub mod variants;
 pub mod version;

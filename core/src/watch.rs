@@ -38,6 +38,13 @@ impl Watch {
         self.expected.store(work, Ordering::Relaxed);
     }
 
+    /// How far it has come, 0 to 1, where that is not a sum of equal parts.
+    pub(crate) fn reach(&self, share: f32) {
+        const PARTS: f32 = 10_000.0;
+        self.expect(PARTS as u64);
+        self.done.fetch_max((share.clamp(0.0, 1.0) * PARTS) as u64, Ordering::Relaxed);
+    }
+
     /// `items`, each of which is some `work`, until there are no more or the watch is cancelled.
     pub(crate) fn along<I: IntoIterator>(&self, work: u64, items: I) -> Along<'_, I::IntoIter> {
         Along { watch: self, items: items.into_iter(), work, passed: 0 }

@@ -1,6 +1,6 @@
 //! What may stand on the command line, and how single values are read.
 
-use super::{check, export, fly, info, new, render};
+use super::{check, export, fly, info, new, render, thin};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -47,6 +47,8 @@ pub(super) enum Subcommand {
     Info(info::Arguments),
     /// Write a scene's sprites for other tools
     Export(export::Arguments),
+    /// Drop the sprites that a scene can do without
+    Thin(thin::Arguments),
 }
 
 /// `HH:MM` as hours.

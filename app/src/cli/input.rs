@@ -1,7 +1,9 @@
 //! What several subcommands take from a scene.
 
 use super::failure::Failure;
-use crate::storage;
+use crate::saving::{self, SaveError};
+use crate::storage::{self, Over, StorageError};
+use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::scene::{Camera, CameraPath, Scene};
 use std::path::Path;
 
@@ -51,4 +53,25 @@ pub(super) fn check_output(scene: &Path, output: &Path) -> Result<(), Failure> {
         return Err(Failure::argument(what, "choose another name; the scene would be lost"));
     }
     Ok(storage::check_writable(output)?)
+}
+
+/// That a scene would be written under a scene's name.
+pub(super) fn check_scene_name(output: &Path) -> Result<(), Failure> {
+    if output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION)) {
+        return Ok(());
+    }
+    let what = format!("{}: the ending is not a scene's", output.display());
+    Err(Failure::argument(what, format!("end its name in .{EXTENSION}")))
+}
+
+/// Saves a scene; over a file that is there only by `force`.
+pub(super) fn save_scene(scene: &Scene, output: &Path, force: bool) -> Result<(), Failure> {
+    let over = if force { Over::Anything } else { Over::Nothing };
+    saving::save(scene, output, over).map(drop).map_err(|error| match error {
+        SaveError::Storage(error @ StorageError::InTheWay { .. }) => {
+            Failure::argument(error.to_string(), "choose another name, or --force")
+        }
+        SaveError::Storage(error) => error.into(),
+        error @ SaveError::Text(_) => Failure::could_not(error.to_string(), "report this"),
+    })
 }

@@ -15,6 +15,7 @@ mod new;
 mod painter;
 mod progress;
 mod render;
+mod thin;
 
 pub(crate) use arguments::time_of_day;
 
@@ -43,6 +44,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Subcommand::Check(arguments)) => check::run(arguments),
         Some(Subcommand::Info(arguments)) => info::run(arguments),
         Some(Subcommand::Export(arguments)) => export::run(arguments),
+        Some(Subcommand::Thin(arguments)) => thin::run(arguments),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

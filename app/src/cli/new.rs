@@ -1,10 +1,8 @@
 //! `cloudwright new`: a scene to start from, without the window.
 
 use super::failure::Failure;
+use super::input;
 use crate::editor;
-use crate::saving::{self, SaveError};
-use crate::storage::{Over, StorageError};
-use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Scene;
 use std::fmt::Write;
@@ -28,20 +26,8 @@ pub(super) struct Arguments {
 const STARTER: (&str, &str) = ("starter", "One small cumulus before the camera, as in the editor's new scene.");
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let Arguments { output, preset, force } = arguments;
-    if !output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(EXTENSION)) {
-        let what = format!("OUT {}: the ending is not a scene's", output.display());
-        return Err(Failure::argument(what, format!("end its name in .{EXTENSION}")));
-    }
-    let scene = scene_of(preset.as_deref())?;
-    let over = if *force { Over::Anything } else { Over::Nothing };
-    saving::save(&scene, output, over).map(drop).map_err(|error| match error {
-        SaveError::Storage(error @ StorageError::InTheWay { .. }) => {
-            Failure::argument(error.to_string(), "choose another name, or --force")
-        }
-        SaveError::Storage(error) => error.into(),
-        error @ SaveError::Text(_) => Failure::could_not(error.to_string(), "report this"),
-    })
+    input::check_scene_name(&arguments.output)?;
+    input::save_scene(&scene_of(arguments.preset.as_deref())?, &arguments.output, arguments.force)
 }
 
 /// The scene that a preset's name stands for.

@@ -13,6 +13,7 @@ mod gpu;
 mod new;
 mod pictures;
 mod scenes;
+mod thin;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

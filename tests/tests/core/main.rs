@@ -12,4 +12,5 @@ mod raster;
 mod scene_file;
 mod shading;
 mod sprites;
+mod thin;
 mod truth;

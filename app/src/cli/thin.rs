@@ -1,0 +1,83 @@
+//! `cloudwright thin`: a scene with no more sprites than its pictures need.
+
+use super::failure::Failure;
+use super::progress::Progress;
+use super::{input, say};
+use crate::opening;
+use cloudwright_core::document::Document;
+use cloudwright_core::thin::{ThinError, thin};
+use cloudwright_core::watch::Watch;
+use std::path::PathBuf;
+use std::time::Duration;
+
+/// Between two looks at how far it has come.
+const LOOK: Duration = Duration::from_millis(100);
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  cloudwright thin overcast.cloudscene --tolerance 0.01 -o light.cloudscene
+
+Sprites are dropped that show least, as long as no view differs from the scene as it was by more than the tolerance:
+neither from its cameras, nor along its paths, nor in eight views around each cloud, by the light of its time of day.
+The difference is the mean FLIP, 0 to 1: 0.01 is hard to see, 0.05 is plain. In the editor it is a command that can be
+undone; by hand, Reset gives a sprite back.")]
+pub(super) struct Arguments {
+    /// Scene to thin
+    scene: PathBuf,
+    /// Scene to write
+    #[arg(short, long, value_name = "SCENE")]
+    output: PathBuf,
+    /// Largest mean FLIP of any view, above 0 and at most 1
+    #[arg(long, value_name = "FLIP", default_value_t = 0.01)]
+    tolerance: f64,
+    /// Replace a file that is there
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let (scene, beside) = opening::open(&arguments.scene)?;
+    input::check_scene_name(&arguments.output)?;
+    input::check_output(&arguments.scene, &arguments.output)?;
+    let progress = Progress::start("thinning");
+    let watch = Watch::default();
+    let thinned = std::thread::scope(|scope| {
+        let work = scope.spawn(|| thin(&scene, beside.sheet(), arguments.tolerance, &watch));
+        while !work.is_finished() {
+            progress.set(watch.share());
+            std::thread::sleep(LOOK);
+        }
+        work.join()
+    });
+    drop(progress);
+    let thinned = match thinned {
+        Ok(Ok(thinned)) => thinned,
+        Ok(Err(error)) => return Err(failure(&error)),
+        Err(panic) => std::panic::resume_unwind(panic),
+    };
+    let mut document = Document::new(scene);
+    let done = document.edit("Thin", thinned.edits);
+    done.map_err(|error| Failure::could_not(error.to_string(), "report this"))?;
+    input::save_scene(document.scene(), &arguments.output, arguments.force)?;
+    say(&format!(
+        "sprites: {} of {} are left, {:.0} %",
+        thinned.after,
+        thinned.before,
+        100.0 * thinned.after as f64 / thinned.before as f64
+    ));
+    say(&format!(
+        "error: mean FLIP {:.4} at most, of {} views; that is {}",
+        thinned.error, thinned.views, thinned.worst_view
+    ));
+    Ok(())
+}
+
+fn failure(error: &ThinError) -> Failure {
+    let message = error.to_string();
+    match error {
+        ThinError::Tolerance(_) => Failure::argument(format!("--tolerance: {message}"), "such as 0.01"),
+        ThinError::NoSprites => Failure::argument(message, "there is nothing to thin"),
+        ThinError::CannotHold { .. } => Failure::could_not(message, "nothing is written; raise the tolerance"),
+        ThinError::Cancelled => Failure::could_not(message, "run it again"),
+    }
+}
