@@ -20,6 +20,7 @@ mod pick;
 mod picture;
 mod pilot;
 mod plane;
+mod ride;
 mod screen;
 mod steer;
 mod targets;
@@ -31,18 +32,20 @@ use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use box_tool::BoxTool;
 use cloudwright_core::camera::View;
-use cloudwright_core::scene::Camera;
+use cloudwright_core::scene::{Camera, PathId};
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, pos2};
 use faces::Faces;
 use gizmo::GizmoHands;
 use glam::DVec3;
+use hud::Readout;
 use marks::Marks;
 use marquee::Marquee;
 use navigation::Navigation;
 use pick::{Clicks, Picked};
 use picture::{PictureSource, Shot};
 use pilot::Pilot;
+use ride::{Ride, Seat};
 use screen::Screen;
 use std::time::Duration;
 use way::Way;
@@ -52,6 +55,7 @@ pub(crate) struct Viewport {
     navigation: Navigation,
     pilot: Pilot,
     way: Way,
+    ride: Option<Ride>,
     picture: PictureSource,
     marks: Marks,
     clicks: Clicks,
@@ -73,6 +77,7 @@ impl Viewport {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             pilot: Pilot::default(),
             way: Way::default(),
+            ride: None,
             picture: PictureSource::new(context, choice, device),
             marks: Marks::default(),
             clicks: Clicks::default(),
@@ -101,7 +106,7 @@ impl Viewport {
             f64::from(view.depth(center))
         });
         let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
-        self.pilot.stop();
+        self.leave();
         self.way.begin_anew();
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
@@ -109,9 +114,38 @@ impl Viewport {
     /// Brings a selection into view; all clouds for nothing.
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = bounds::bounds(selection, session) {
-            self.pilot.stop();
+            self.leave();
             self.way.begin_anew();
             self.navigation.frame(center, radius);
+        }
+    }
+
+    /// The view goes along a path from now on, at the clock's time.
+    pub(crate) fn board(&mut self, path: PathId) {
+        if self.ride.as_ref().is_some_and(|ride| ride.path == path) {
+            return;
+        }
+        let before = self.ride.take().map_or_else(|| self.navigation.clone(), |ride| ride.before);
+        self.pilot.stop();
+        self.ride = Some(Ride::new(path, before));
+    }
+
+    /// Whether the view goes along a path.
+    pub(crate) fn is_on_board(&self) -> bool {
+        self.ride.is_some()
+    }
+
+    /// Ends a flight of any kind where it is.
+    pub(crate) fn leave(&mut self) {
+        self.pilot.stop();
+        self.ride = None;
+    }
+
+    /// Ends the flight along a path; the view is the one from before.
+    pub(crate) fn get_off(&mut self) {
+        if let Some(ride) = self.ride.take() {
+            self.way.begin_anew();
+            self.navigation = ride.before;
         }
     }
 
@@ -158,14 +192,16 @@ impl Viewport {
         }
         let is_free = !self.gizmo.is_held() && !self.marquee.is_on();
         let may_fly = is_free && !self.holds_gesture();
+        let seat = self.take_seat(reading);
         self.pilot.fly(&mut self.navigation, ui, &response, may_fly);
         if is_free && !self.pilot.is_held() {
             let screen = Screen::new(self.camera(), rect);
             steer::steer(&mut self.navigation, ui, &response, &screen, reading);
         }
+        let seat = self.keep_seat(seat, reading);
         let screen = Screen::new(self.camera(), rect);
         let painter = ui.painter_at(rect);
-        self.paint_picture(ui, &response, &painter, reading);
+        self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
         self.marks.paint(&painter, &screen, reading);
         wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
         cameras::paint(&painter, &screen, reading);
@@ -176,22 +212,54 @@ impl Viewport {
         } else {
             overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
         }
-        if let Some(readout) = self.pilot.readout(&self.navigation) {
+        let on_board = seat.map(|seat| Readout::of(&seat.camera, seat.speed_m_s));
+        if let Some(readout) = on_board.or_else(|| self.pilot.readout(&self.navigation)) {
             readout.show(ui, rect, reading.units);
         }
         overlay::show(ui, rect, reading, actions);
     }
 
-    fn paint_picture(&mut self, ui: &Ui, response: &Response, painter: &Painter, reading: &Reading<'_>) {
+    /// Puts the view where the clock says, while it is on board.
+    fn take_seat(&mut self, reading: &Reading<'_>) -> Option<Seat> {
+        let seat = self.ride.as_mut().and_then(|ride| ride.seat(reading));
+        match &seat {
+            Some(seat) => self.navigation = Navigation::new(seat.camera.clone(), self.navigation.distance()),
+            None => self.ride = None,
+        }
+        seat
+    }
+
+    /// A hand that has moved the view since ends the flight here, and the view remembers what it has seen.
+    fn keep_seat(&mut self, seat: Option<Seat>, reading: &Reading<'_>) -> Option<Seat> {
+        let seat = seat?;
+        if *self.navigation.camera() == seat.camera {
+            return Some(seat);
+        }
+        self.ride = None;
+        self.way.go_on_from(&seat.camera, seat.history, reading.session.derived());
+        None
+    }
+
+    fn paint_picture(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        painter: &Painter,
+        seat: Option<&Seat>,
+        reading: &Reading<'_>,
+    ) {
         let session = reading.session;
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
-        let quick = by_hand || session.document().is_open() || reading.time_play.is_on();
+        let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round();
         let size = [pixels.x as u32, pixels.y as u32];
         let hidden = reading.view.hidden_in(session.scene());
         let camera = self.navigation.camera().clone();
-        let history = self.way.follow(&camera, session.derived()).clone();
-        let shot = Shot { camera, hour: reading.hour(), size, hidden, history };
+        let history = match seat {
+            Some(seat) => seat.history.clone(),
+            None => self.way.follow(&camera, session.derived(), reading.view.sorting).clone(),
+        };
+        let shot = Shot { camera, hour: reading.hour(), clock_s: reading.clock.time_s(), size, hidden, history };
         self.picture.ask(session, shot, quick);
         match self.picture.texture() {
             Some(texture) => {

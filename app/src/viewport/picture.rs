@@ -40,6 +40,8 @@ pub(super) struct Shot {
     pub(super) camera: Camera,
     /// Local civil hours.
     pub(super) hour: f64,
+    /// Seconds of the scene's clock.
+    pub(super) clock_s: f64,
     /// Pixels.
     pub(super) size: [u32; 2],
     /// What is left out.
@@ -50,8 +52,9 @@ pub(super) struct Shot {
 
 impl Shot {
     fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, atlas: &'a Atlas) -> Frame<'a> {
-        let Self { camera, hour, size, hidden, history } = self;
-        Frame::of(scene, derived, atlas, &Sight { camera, time_h: *hour, clock_s: 0.0, size: *size, hidden, history })
+        let Self { camera, hour, clock_s, size, hidden, history } = self;
+        let sight = Sight { camera, time_h: *hour, clock_s: *clock_s, size: *size, hidden, history };
+        Frame::of(scene, derived, atlas, &sight)
     }
 }
 

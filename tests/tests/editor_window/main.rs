@@ -9,6 +9,7 @@ mod colors;
 mod drawing_boxes;
 mod editing;
 mod files;
+mod flight_panel;
 mod flying;
 mod gallery;
 mod groups;
