@@ -7,6 +7,7 @@ use crate::editor::{Action, Item};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
 use cloudwright_core::scene::{Cloud, Formation, FormationChange};
+use cloudwright_core::shading::Formed;
 use egui::Ui;
 
 /// `clouds` has at least one, the one whose values are shown.
@@ -39,6 +40,10 @@ pub(super) fn fields_of(ui: &mut Ui, clouds: &[Cloud], reading: &Reading<'_>, ac
         |cloud| Edit::Cloud(ListEdit::Replace(cloud)),
     );
     let Some(cloud) = clouds.first() else { return };
+    let clock_s = reading.clock.time_s();
+    if !Formed::at(cloud.formation.as_ref(), clock_s).shows() {
+        ui.weak(format!("Nothing of it shows at the clock's {clock_s:.1} s: put the clock on in the Flight panel."));
+    }
     let placed: Vec<_> = clouds.iter().filter_map(|cloud| reading.session.placed(cloud.id)).collect();
     kept::line(ui, &Kept::of_clouds(&placed));
     if ui.button("Select its model").clicked() {

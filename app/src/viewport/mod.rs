@@ -16,6 +16,7 @@ mod marks;
 mod marquee;
 mod navigation;
 mod overlay;
+mod paths;
 mod pick;
 mod picture;
 mod pilot;
@@ -27,12 +28,13 @@ mod targets;
 mod way;
 mod wireframe;
 
-use crate::editor::{Action, Choose, Selection, Session, Tool};
+use crate::editor::{Action, Choose, Item, Selection, Session, Tool, ViewChange};
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use box_tool::BoxTool;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::{Camera, PathId};
+use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, pos2};
 use faces::Faces;
@@ -42,6 +44,7 @@ use hud::Readout;
 use marks::Marks;
 use marquee::Marquee;
 use navigation::Navigation;
+use paths::Paths;
 use pick::{Clicks, Picked};
 use picture::{PictureSource, Shot};
 use pilot::Pilot;
@@ -58,6 +61,7 @@ pub(crate) struct Viewport {
     ride: Option<Ride>,
     picture: PictureSource,
     marks: Marks,
+    paths: Paths,
     clicks: Clicks,
     marquee: Marquee,
     gizmo: GizmoHands,
@@ -80,6 +84,7 @@ impl Viewport {
             ride: None,
             picture: PictureSource::new(context, choice, device),
             marks: Marks::default(),
+            paths: Paths::default(),
             clicks: Clicks::default(),
             marquee: Marquee::default(),
             gizmo: GizmoHands::default(),
@@ -201,10 +206,12 @@ impl Viewport {
         let seat = self.keep_seat(seat, reading);
         let screen = Screen::new(self.camera(), rect);
         let painter = ui.painter_at(rect);
-        self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
-        self.marks.paint(&painter, &screen, reading);
+        let history = self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
+        self.marks.paint(&painter, &screen, &history.facing, reading);
         wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
         cameras::paint(&painter, &screen, reading);
+        let ridden = self.ride.as_ref().map(|ride| ride.path);
+        self.paths.paint(&painter, &screen, ridden, reading);
         self.work(ui, &response, &painter, &screen, reading, actions);
         level_handles::show(ui, rect, &screen.view, reading, actions);
         if self.pilot.is_held() {
@@ -240,6 +247,7 @@ impl Viewport {
         None
     }
 
+    /// What the picture's view has seen on its way.
     fn paint_picture(
         &mut self,
         ui: &Ui,
@@ -247,7 +255,7 @@ impl Viewport {
         painter: &Painter,
         seat: Option<&Seat>,
         reading: &Reading<'_>,
-    ) {
+    ) -> ViewHistory {
         let session = reading.session;
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
         let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
@@ -259,7 +267,14 @@ impl Viewport {
             Some(seat) => seat.history.clone(),
             None => self.way.follow(&camera, session.derived(), reading.view.sorting).clone(),
         };
-        let shot = Shot { camera, hour: reading.hour(), clock_s: reading.clock.time_s(), size, hidden, history };
+        let shot = Shot {
+            camera,
+            hour: reading.hour(),
+            clock_s: reading.clock.time_s(),
+            size,
+            hidden,
+            history: history.clone(),
+        };
         self.picture.ask(session, shot, quick);
         match self.picture.texture() {
             Some(texture) => {
@@ -270,6 +285,7 @@ impl Viewport {
                 painter.rect_filled(response.rect, 0.0, ui.visuals().extreme_bg_color);
             }
         }
+        history
     }
 
     /// The tools: who gets the primary button is decided when it goes down.
@@ -303,6 +319,11 @@ impl Viewport {
             self.marquee.begin(at);
         }
         self.marquee.show(ui, painter, screen, reading, actions);
+        let double = response.double_clicked().then(|| response.interact_pointer_pos()).flatten();
+        if let Some((path, Some(index))) = double.and_then(|at| self.paths.under(at, screen)) {
+            actions.push(Action::GoToKey(path, index));
+            return;
+        }
         let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
         if let Some(at) = clicked.or(on_face)
             && !gizmo_has_pointer
@@ -320,6 +341,11 @@ impl Viewport {
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
     ) {
+        if let Some((path, key)) = self.paths.under(at, screen) {
+            actions.push(Action::Select { items: vec![Item::Path(path)], through: None, how });
+            actions.push(Action::View(ViewChange::PathKey(key.map(|index| (path, index)))));
+            return;
+        }
         let picked = if how == Choose::Only {
             self.clicks.pick(at, screen, self.navigation.camera(), reading)
         } else {

@@ -15,6 +15,7 @@ mod gallery;
 mod groups;
 mod off_frame;
 mod on_disk;
+mod paths_in_view;
 mod recovery;
 mod remembering;
 mod tools;
