@@ -108,8 +108,9 @@ impl Panel {
             Self::Viewport => "Viewport",
             Self::Outline => "Outline",
             Self::Inspector => "Inspector",
-            Self::ColorLevels => "Colour levels",
-            Self::ShadingGroups => "Shading groups",
+            // Short, so that four tabs stand side by side in a window of 1280 points.
+            Self::ColorLevels => "Levels",
+            Self::ShadingGroups => "Groups",
             Self::Sky => "Sky",
             Self::Flight => "Flight",
             Self::History => "History",

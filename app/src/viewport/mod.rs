@@ -216,8 +216,13 @@ impl Viewport {
         level_handles::show(ui, rect, &screen.view, reading, actions);
         if self.pilot.is_held() {
             overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.pilot.speed_m_s()));
+        } else if seat.is_some() {
+            overlay::on_board_hint(&painter, rect);
         } else {
             overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
+        }
+        if reading.is_recording {
+            overlay::recording(&painter, rect);
         }
         let on_board = seat.map(|seat| Readout::of(&seat.camera, seat.speed_m_s));
         if let Some(readout) = on_board.or_else(|| self.pilot.readout(&self.navigation)) {

@@ -1,6 +1,6 @@
 //! The view on board of a path: where it is at the clock's time, and what it has seen on its way there ([`Playback`]).
 //!
-//! It follows the path as it is in this frame, open gestures included; another path, and it is seen anew from the start.
+//! It follows the path as it is in this frame, open gestures included. After a change it is seen anew from the start.
 
 use super::navigation::Navigation;
 use crate::panel::Reading;
@@ -16,6 +16,7 @@ pub(super) struct Ride {
     /// The view that it came from.
     pub(super) before: Navigation,
     flown: Option<Flown>,
+    history: ViewHistory,
 }
 
 /// The path as it was last seen.
@@ -36,7 +37,7 @@ pub(super) struct Seat {
 
 impl Ride {
     pub(super) fn new(path: PathId, before: Navigation) -> Self {
-        Self { path, before, flown: None }
+        Self { path, before, flown: None, history: ViewHistory::default() }
     }
 
     /// Where it is now; none if the path is gone.
@@ -54,7 +55,14 @@ impl Ride {
         };
         let flown = self.flown.insert(flown);
         let time_s = reading.clock.time_s();
-        let (camera, history) = flown.playback.seek(reading.session.derived(), time_s);
-        Some(Seat { camera, history: history.clone(), speed_m_s: flown.curve.velocity_at(time_s).length() })
+        // Seeing all anew from the start is too slow for a drag: until it ends, the view remembers what it saw before.
+        if !reading.session.document().is_open() {
+            self.history = flown.playback.seek(reading.session.derived(), time_s).1.clone();
+        }
+        Some(Seat {
+            camera: flown.curve.camera_at(time_s),
+            history: self.history.clone(),
+            speed_m_s: flown.curve.velocity_at(time_s).length(),
+        })
     }
 }

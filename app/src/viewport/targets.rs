@@ -277,6 +277,7 @@ mod tests {
             clouds: Vec::new(),
             boxes: Vec::new(),
             cameras: Vec::new(),
+            paths: Vec::new(),
             sprites: Vec::new(),
             group: None,
             pivot,
@@ -312,6 +313,27 @@ mod tests {
         }
         let level = targets(old.position).camera(&old, Act::Turn(DVec3::NEG_Y, 0.5_f64.to_radians()));
         assert_eq!((level.heading_deg, level.pitch_deg, level.roll_deg), (33.5, -12.0, 8.0));
+    }
+
+    #[test]
+    fn a_key_turns_alone_and_a_path_as_a_whole() {
+        let key = |i: i32| PathKey {
+            time_s: f64::from(i),
+            position: DVec3::X * (100.0 * f64::from(i)),
+            heading_deg: 90.0,
+            pitch_deg: 0.0,
+            roll_deg: 0.0,
+        };
+        let path = CameraPath::free((0..3).map(key).collect());
+        let pivot = path.keys[1].position;
+        let turn = Act::Turn(DVec3::NEG_Y, 90_f64.to_radians());
+        let alone = targets(pivot).path(&path, Some(1), turn);
+        assert_eq!((alone.keys[0], alone.keys[2]), (path.keys[0], path.keys[2]));
+        assert_eq!((alone.keys[1].position, alone.keys[1].heading_deg), (pivot, -180.0));
+        let whole = targets(pivot).path(&path, None, turn);
+        for (key, z) in whole.keys.iter().zip([-100.0, 0.0, 100.0]) {
+            assert!(key.position.distance(DVec3::new(100.0, 0.0, z)) < 1e-3 && key.heading_deg == -180.0, "{key:?}");
+        }
     }
 
     #[test]

@@ -16,13 +16,22 @@ use egui::{Button, ScrollArea, Ui, vec2};
 
 /// Of the column of numbers, points.
 const NUMBER_COLUMN: f32 = 34.0;
+/// Of the column of speeds, with their units, points.
+const SPEED_COLUMN: f32 = 84.0;
 /// Lines in sight.
 const LINES: f32 = 8.0;
 
 pub(super) fn show(ui: &mut Ui, path: &CameraPath, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    ui.horizontal(|ui| {
+        for (command, name) in
+            [(Command::KeyAfterLast, "Add key after the last"), (Command::KeyAtClock, "Key at clock")]
+        {
+            button(ui, command, name, name, false, actions);
+        }
+    });
     let height = ui.spacing().interact_size.y;
     ui.horizontal(|ui| {
-        for (width, text) in [(NUMBER_COLUMN, "Key"), (theme::NUMBER_WIDTH, "Time"), (theme::NUMBER_WIDTH, "Speed")] {
+        for (width, text) in [(NUMBER_COLUMN, "Key"), (theme::NUMBER_WIDTH, "Time"), (SPEED_COLUMN, "Speed")] {
             let (place, _) = ui.allocate_exact_size(vec2(width, height), egui::Sense::hover());
             ui.put(place, egui::Label::new(egui::RichText::new(text).weak()).selectable(false));
         }
@@ -31,13 +40,6 @@ pub(super) fn show(ui: &mut Ui, path: &CameraPath, reading: &Reading<'_>, action
     lines.auto_shrink([false, true]).show_rows(ui, height, path.keys.len(), |ui, shown| {
         for (index, key) in path.keys.iter().enumerate().take(shown.end).skip(shown.start) {
             ui.push_id(index, |ui| ui.horizontal(|ui| line(ui, path, index, key, reading, actions)));
-        }
-    });
-    ui.horizontal(|ui| {
-        for (command, name) in
-            [(Command::KeyAfterLast, "Add key after the last"), (Command::KeyAtClock, "Key at clock")]
-        {
-            button(ui, command, name, name, false, actions);
         }
     });
 }
@@ -61,10 +63,12 @@ fn line(ui: &mut Ui, path: &CameraPath, index: usize, key: &PathKey, reading: &R
         }
         actions.push(Action::change("Key's time", Edit::Path(ListEdit::Replace(path)), live));
     }
-    match leg_speed_mps(&path.keys, index) {
-        Some(speed_mps) => {
+    let size = vec2(SPEED_COLUMN, ui.spacing().interact_size.y);
+    ui.allocate_ui(size, |ui| {
+        ui.set_min_width(SPEED_COLUMN);
+        if let Some(speed_mps) = leg_speed_mps(&path.keys, index) {
             let unit = reading.units.speed();
-            let mut speed = unit.from_si(speed_mps);
+            let mut speed = in_whole(unit.from_si(speed_mps));
             let parameter = Parameter {
                 unit: unit.name,
                 min: unit.from_si(LEG_SPEED_MPS.min),
@@ -77,10 +81,7 @@ fn line(ui: &mut Ui, path: &CameraPath, index: usize, key: &PathKey, reading: &R
                 actions.push(Action::change("Leg's speed", Edit::Path(ListEdit::Replace(path)), live));
             }
         }
-        None => {
-            ui.add_space(theme::NUMBER_WIDTH + ui.spacing().item_spacing.x);
-        }
-    }
+    });
     let there = ui.button("Go there");
     name_it(ui, &there, &format!("Go to key {number}"));
     if there.on_hover_text("The view sees what this key sees, and the clock is at its time.").clicked() {
@@ -93,6 +94,11 @@ fn line(ui: &mut Ui, path: &CameraPath, index: usize, key: &PathKey, reading: &R
         path.keys.remove(index);
         actions.push(Action::change("Delete key", Edit::Path(ListEdit::Replace(path)), false));
     }
+}
+
+/// A speed as it is read: whole, or to a tenth of a slow one.
+fn in_whole(speed: f64) -> f64 {
+    if speed < 10.0 { (speed * 10.0).round() / 10.0 } else { speed.round() }
 }
 
 /// A key's time lies between its neighbours'.
