@@ -53,6 +53,14 @@ impl Units {
         }
     }
 
+    /// `metres` of a way, in kilometres or nautical miles: "3.4 km".
+    pub fn distance(self, metres: f64) -> String {
+        match self {
+            Self::Metric => format!("{:.1} km", metres / 1000.0),
+            Self::Aviation => format!("{:.1} NM", metres / 1852.0),
+        }
+    }
+
     /// Of speeds, which are metres a second elsewhere.
     pub fn speed(self) -> Unit {
         match self {
@@ -138,6 +146,9 @@ mod tests {
             (heading(0.2), "360°"),
         ] {
             assert_eq!(text, wanted);
+        }
+        for (units, wanted) in [(metric, "18.5 km"), (aviation, "10.0 NM")] {
+            assert_eq!(units.distance(18_520.0), wanted);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! What three panels look like, as small pictures: the ones with widgets of their own. Drawn by Vulkan; without it they
+//! What four panels look like, as small pictures: the ones with widgets of their own. Drawn by Vulkan; without it they
 //! show as ignored, or as failed with CLOUDWRIGHT_REQUIRE_GPU=1. `UPDATE_SNAPSHOTS=1` renews tests/snapshots/.
 //!
 //! A failing one leaves NAME.new.png and NAME.diff.png beside the one that was wanted.
@@ -15,13 +15,14 @@ use std::process::ExitCode;
 use std::sync::mpsc::Sender;
 
 /// Name, the panel's command, and whether the light look is on.
-const CASES: [(&str, Command, bool); 4] = [
+const CASES: [(&str, Command, bool); 5] = [
     ("colour_levels", Command::LevelsPanel, false),
     ("shading_groups", Command::GroupsPanel, false),
     ("sky", Command::SkyPanel, false),
     ("sky_light", Command::SkyPanel, true),
+    ("flight", Command::FlightPanel, false),
 ];
-/// Where the three are docked in a window of 1280 × 800: left, top, width, height.
+/// Where they are docked in a window of 1280 × 800: left, top, width, height.
 const PANEL: [u32; 4] = [936, 418, 344, 352];
 /// Pixels at glyphs' edges that another rasterizer may round otherwise.
 const FEW: usize = 60;
@@ -74,6 +75,11 @@ fn check(name: &str, command: Command, light: bool) -> Result<(), Failed> {
     let model = &harness.state().session().scene().models[0];
     let chosen = Item::Box(model.id, model.boxes[2].id);
     harness.state_mut().select(Selection::of([chosen]));
+    if command == Command::FlightPanel {
+        for step in [Command::AddPath, Command::FrameAll, Command::KeyAfterLast, Command::AddAircraft] {
+            harness.state_mut().perform(step, &context);
+        }
+    }
     harness.state_mut().perform(command, &context);
     harness.run_steps(4);
     let picture = harness.render().map_err(Failed::from)?;

@@ -26,13 +26,16 @@ pub enum Menu {
     View,
     /// What the primary button does.
     Tool,
+    /// The scene's clock, and paths that are flown by it.
+    Flight,
     /// Panels.
     Window,
 }
 
 impl Menu {
     /// All, in the order of the menu bar.
-    pub const ALL: [Self; 7] = [Self::File, Self::Edit, Self::Add, Self::Shade, Self::View, Self::Tool, Self::Window];
+    pub const ALL: [Self; 8] =
+        [Self::File, Self::Edit, Self::Add, Self::Shade, Self::View, Self::Tool, Self::Flight, Self::Window];
 
     /// As in the menu bar.
     pub const fn name(self) -> &'static str {
@@ -43,6 +46,7 @@ impl Menu {
             Self::Shade => "Shade",
             Self::View => "View",
             Self::Tool => "Tool",
+            Self::Flight => "Flight",
             Self::Window => "Window",
         }
     }
@@ -143,6 +147,8 @@ commands! {
         PlaceMany: "Many placements…", "Strew placements of the selected model over an area.", NONE, Some(icon::DOTS_NINE);
         AddBox: "Box", "Add a box of sprites to the selected model.", NONE, Some(icon::CUBE);
         AddCamera: "Camera", "Add a camera that sees what the view sees.", NONE, Some(icon::VIDEO_CAMERA);
+        AddPath: "Path", "Add a camera path that begins where the view is.", NONE, Some(icon::PATH);
+        AddAircraft: "Aircraft", "Add an aircraft on the chosen path.", NONE, Some(icon::AIRPLANE_TILT);
     }
     Shade {
         NewGroup: "New shading group", "Put the selected boxes or sprites into a shading group of their own.", ctrl(Key::G), Some(icon::CIRCLES_THREE_PLUS);
@@ -176,12 +182,25 @@ commands! {
         Snap: "Snap", "Snap gestures to steps; Ctrl does the opposite while it is held.", shift(Key::S), Some(icon::MAGNET);
         PlayTime: "Play time", "Let the time of day run.", key(Key::Space), Some(icon::PLAY);
     }
+    Flight {
+        PlayFlight: "Play flight", "Let the scene's clock run: clouds form, and the chosen path is flown.", key(Key::P), Some(icon::PLAY);
+        LoopFlight: "Loop flight", "Begin anew when the clock is at its end.", NONE, Some(icon::REPEAT);
+        BoardFlight: "On board", "The view goes along the path; else the clock runs before a view that stays.", NONE, Some(icon::STEERING_WHEEL);
+        FlightStart: "To the start", "Put the clock at its start.", key(Key::Home), Some(icon::SKIP_BACK);
+        FlightEnd: "To the end", "Put the clock at its end.", key(Key::End), Some(icon::SKIP_FORWARD);
+        SecondBack: "A second back", "Put the clock back by a second.", key(Key::Comma), None;
+        SecondOn: "A second on", "Put the clock forward by a second.", key(Key::Period), None;
+        KeyAfterLast: "Key after the last", "Let the chosen path go on to where the view is.", key(Key::I), Some(icon::PLUS);
+        KeyAtClock: "Key at the clock", "Have the chosen path pass the view at the clock's time; a key that is there already moves.", shift(Key::I), None;
+        RecordFlight: "Record flight", "Make a path of what is flown by hand from now until this is done again.", ctrl_shift(Key::R), Some(icon::RECORD);
+    }
     Window {
         OutlinePanel: "Outline", "Show the panel of models, clouds and cameras.", NONE, Some(icon::TREE_STRUCTURE);
         InspectorPanel: "Inspector", "Show the panel of the selection's values.", NONE, Some(icon::SLIDERS_HORIZONTAL);
         LevelsPanel: "Colour levels", "Show the panel of the five colour levels.", NONE, Some(icon::GRADIENT);
         GroupsPanel: "Shading groups", "Show the panel of shading groups.", NONE, Some(icon::STACK);
         SkyPanel: "Sky", "Show the panel of light, time and place.", NONE, Some(icon::SUN);
+        FlightPanel: "Flight", "Show the panel of camera paths, aircraft and the scene's clock.", NONE, Some(icon::AIRPLANE_TILT);
         HistoryPanel: "History", "Show the panel of changes.", NONE, Some(icon::CLOCK_COUNTER_CLOCKWISE);
         ProblemsPanel: "Problems", "Show the panel of what is wrong.", NONE, Some(icon::WARNING);
         ResetLayout: "Reset layout", "Put all panels back to their places.", NONE, None;

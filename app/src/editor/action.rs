@@ -1,9 +1,11 @@
 //! What panels and viewport ask for: they read the scene and return these; the editor alone carries them out.
 
+use super::clock::ClockChange;
 use super::selection::{Choose, Item};
 use crate::command::Command;
 use cloudwright_core::document::Edit;
-use cloudwright_core::scene::{CameraId, CloudId};
+use cloudwright_core::draw_list::Sorting;
+use cloudwright_core::scene::{AircraftId, CameraId, CloudId, PathId};
 
 /// Something to be done after the panels are drawn.
 #[derive(Debug)]
@@ -38,6 +40,10 @@ pub(crate) enum Action {
     LookThrough(CameraId),
     /// Put that camera where the view is.
     SetFromView(CameraId),
+    /// See what a path's key sees, at its time.
+    GoToKey(PathId, usize),
+    /// Ask for the file of that aircraft's model.
+    ChooseModel(AircraftId),
     /// Undo or redo until so many points are done.
     JumpTo(usize),
 }
@@ -55,6 +61,12 @@ pub(crate) enum ViewChange {
     Snap(super::view::Snap),
     /// How fast the time of day runs, hours a minute.
     TimeSpeed(f64),
+    /// The scene's clock.
+    Clock(ClockChange),
+    /// Work on that key of a path, or on the whole path.
+    PathKey(Option<(PathId, usize)>),
+    /// When sprites are sorted again.
+    Sorting(Sorting),
 }
 
 impl Action {

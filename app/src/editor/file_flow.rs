@@ -85,7 +85,10 @@ impl Editor {
         self.session = session;
         self.desk.known = known;
         self.time_play.drop_hour();
-        self.view = ViewState { tool: self.view.tool, snap: self.view.snap, ..ViewState::default() };
+        self.clock.begin_anew();
+        self.recording = None;
+        let ViewState { tool, snap, sorting, .. } = self.view;
+        self.view = ViewState { tool, snap, sorting, ..ViewState::default() };
     }
 
     /// Asks for a file name.
@@ -111,6 +114,7 @@ impl Editor {
             // Something may have been changed while the dialog was open, so the question comes after it.
             Ask::Open => self.want(Intent::OpenFile(path), context),
             Ask::Save(_) => self.save_under(&path, asked_already, context),
+            Ask::AircraftModel(id, _) => self.use_model(*id, &path),
         }
     }
 

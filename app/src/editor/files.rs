@@ -4,7 +4,8 @@
 //! editor then asks for the path in a window of its own.
 
 use cloudwright_core::formats::scene_file::EXTENSION;
-use std::path::PathBuf;
+use cloudwright_core::scene::AircraftId;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
 
@@ -15,6 +16,8 @@ pub enum Ask {
     Open,
     /// Of a scene to save, with the name to start from.
     Save(PathBuf),
+    /// Of that aircraft's model, which lies beside the scene's file.
+    AircraftModel(AircraftId, PathBuf),
 }
 
 /// What came back.
@@ -43,7 +46,11 @@ const TOO_FAST_FOR_A_PERSON: Duration = Duration::from_millis(250);
 
 impl FileDialogs for NativeDialogs {
     fn ask(&mut self, ask: &Ask, answer: Sender<Reply>, wake: Box<dyn FnOnce() + Send>) {
-        let dialog = rfd::AsyncFileDialog::new().add_filter("Cloudwright scenes", &[EXTENSION]);
+        let dialog = rfd::AsyncFileDialog::new();
+        let dialog = match ask {
+            Ask::AircraftModel(..) => dialog.add_filter("glTF models", &["glb"]),
+            Ask::Open | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
+        };
         let asked = Instant::now();
         // Made on this thread, as macOS wants it, and waited for on another.
         let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
@@ -51,9 +58,10 @@ impl FileDialogs for NativeDialogs {
             Ask::Save(start) => {
                 let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let dialog = dialog.set_title("Save scene as").set_file_name(name);
-                let folder = start.parent().filter(|folder| !folder.as_os_str().is_empty());
-                let dialog = folder.map_or(dialog.clone(), |folder| dialog.set_directory(folder));
-                Box::pin(dialog.save_file())
+                Box::pin(beside(start, dialog).save_file())
+            }
+            Ask::AircraftModel(_, scene) => {
+                Box::pin(beside(scene, dialog).set_title("Model of the aircraft").pick_file())
             }
         };
         std::thread::spawn(move || {
@@ -65,6 +73,14 @@ impl FileDialogs for NativeDialogs {
             let _ = answer.send(reply);
             wake();
         });
+    }
+}
+
+/// A dialog that begins in the folder of `file`.
+fn beside(file: &Path, dialog: rfd::AsyncFileDialog) -> rfd::AsyncFileDialog {
+    match file.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+        Some(folder) => dialog.set_directory(folder),
+        None => dialog,
     }
 }
 

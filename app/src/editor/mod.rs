@@ -6,14 +6,17 @@
 
 mod action;
 mod autosave;
+mod clock;
 mod desk;
 mod dialogs;
 mod file_flow;
 mod files;
+mod flight;
 mod layout;
 mod on_disk;
 mod perform;
 mod place_many;
+mod recording;
 mod regeneration;
 mod remember;
 mod save_flow;
@@ -26,6 +29,7 @@ mod view;
 mod window;
 
 pub(crate) use action::{Action, ViewChange};
+pub(crate) use clock::{CLOCK_SPEED, Clock, ClockChange};
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
 pub(crate) use selection::{aircraft_of, box_of, camera_of, group_of};
@@ -50,6 +54,7 @@ pub(crate) use file_flow::Intent;
 use files::Waiting;
 use layout::Layout;
 use place_many::PlaceMany;
+use recording::Recording;
 use std::cell::RefCell;
 use std::path::PathBuf;
 use toasts::Toasts;
@@ -63,6 +68,8 @@ pub struct Editor {
     palette: Option<Palette>,
     place_many: Option<PlaceMany>,
     time_play: TimePlay,
+    clock: Clock,
+    recording: Option<Recording>,
     /// The camera that was looked through last by the key.
     last_camera: Option<CameraId>,
     copied_levels: Option<ColorLevels>,
@@ -109,6 +116,8 @@ impl Editor {
             palette: None,
             place_many: None,
             time_play: TimePlay::default(),
+            clock: Clock::default(),
+            recording: None,
             last_camera: None,
             copied_levels: None,
             file_dialogs,
@@ -212,15 +221,20 @@ impl Editor {
         let state = |command| self.state_of(command);
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
-        let Self { session, view, viewport, layout, thumbnails, time_play, copied_levels, desk, .. } = self;
+        let Self {
+            session, view, viewport, layout, thumbnails, time_play, clock, recording, copied_levels, desk, ..
+        } = self;
         let reading = Reading {
             session,
             view,
             thumbnails,
             time_play,
+            clock,
             copied_levels: copied_levels.as_ref(),
             view_heading_deg: viewport.camera().heading_deg,
             levels_shown: layout.shows(Panel::ColorLevels),
+            is_recording: recording.is_some(),
+            flight_shown: layout.shows(Panel::Flight),
             units: desk.settings().units,
         };
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
@@ -254,12 +268,14 @@ impl eframe::App for Editor {
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
         self.run_time(&context);
+        self.run_clock(&context);
         let mut actions: Vec<Action> = Vec::new();
         let asks = self.dialogs.is_open() || self.palette.is_some() || self.place_many.is_some();
         if !asks && !self.viewport.has_keys() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
         actions.extend(self.panels(ui));
+        self.record(&context);
         self.carry_out(actions, &context);
         self.end_gesture_on_release(&context);
         self.session.keep_up(&context);

@@ -1,8 +1,8 @@
 //! How the scene is looked at and worked on: selection, tool, what is hidden. Never saved, never undone.
 
 use super::selection::{Item, Selection, is_in};
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::scene::{Cloud, Scene};
+use cloudwright_core::draw_list::{Hidden, Sorting};
+use cloudwright_core::scene::{Cloud, PathId, Scene};
 use std::collections::BTreeSet;
 
 /// What the primary button does in the viewport.
@@ -80,6 +80,10 @@ pub struct ViewState {
     pub sprite_marks: SpriteMarks,
     /// Boxes and sprites in the tints of their shading groups.
     pub group_view: bool,
+    /// When sprites are sorted again.
+    pub sorting: Sorting,
+    /// The key that is worked on, of a path that is selected.
+    pub path_key: Option<(PathId, usize)>,
     /// Clouds and boxes that are not drawn.
     pub hidden: BTreeSet<Item>,
     /// Clouds and boxes that the pointer passes through.
@@ -123,12 +127,21 @@ impl ViewState {
             && !self.locked.contains(&Item::Model(cloud.model))
     }
 
+    /// Which key of `path` is worked on; none for the whole path.
+    pub(crate) fn key_of(&self, path: PathId) -> Option<usize> {
+        self.path_key.filter(|(of, _)| *of == path).map(|(_, index)| index)
+    }
+
     /// Leaves out what the scene has no longer.
     pub(crate) fn keep_what_is_in(&mut self, scene: &Scene) {
         self.selection.keep_what_is_in(scene);
         for set in [&mut self.hidden, &mut self.locked, &mut self.solo] {
             set.retain(|item| is_in(*item, scene));
         }
+        self.path_key = self.path_key.filter(|(id, index)| {
+            let count = scene.path(*id).map_or(0, |path| path.keys.len());
+            self.selection.contains(Item::Path(*id)) && *index < count
+        });
     }
 }
 

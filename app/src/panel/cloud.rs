@@ -1,12 +1,13 @@
 //! Placed clouds.
 
 use super::Reading;
-use super::fields::fields;
+use super::fields::{Fields, fields};
 use super::kept::{self, Kept};
 use crate::editor::{Action, Item};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
-use cloudwright_core::scene::Cloud;
+use cloudwright_core::scene::{Cloud, Formation, FormationChange};
+use cloudwright_core::shading::Formed;
 use egui::Ui;
 
 /// `clouds` has at least one, the one whose values are shown.
@@ -34,13 +35,37 @@ pub(super) fn fields_of(ui: &mut Ui, clouds: &[Cloud], reading: &Reading<'_>, ac
             let mut own = cloud.seed.is_some();
             rows.check("Seed of its own", "Other sprites than the model's other clouds.", &mut own);
             cloud.seed = own.then_some(seed);
+            formation(rows, &mut cloud.formation);
         },
         |cloud| Edit::Cloud(ListEdit::Replace(cloud)),
     );
     let Some(cloud) = clouds.first() else { return };
+    let clock_s = reading.clock.time_s();
+    if !Formed::at(cloud.formation.as_ref(), clock_s).shows() {
+        ui.weak(format!("Nothing of it shows at the clock's {clock_s:.1} s: put the clock on in the Flight panel."));
+    }
     let placed: Vec<_> = clouds.iter().filter_map(|cloud| reading.session.placed(cloud.id)).collect();
     kept::line(ui, &Kept::of_clouds(&placed));
     if ui.button("Select its model").clicked() {
         actions.push(Action::select(Item::Model(cloud.model)));
+    }
+}
+
+/// Whether the cloud forms or dissipates by the scene's clock, and when.
+fn formation(rows: &mut Fields<'_>, formation: &mut Option<Formation>) {
+    let doc = "By the clock in the Flight panel: a cloud forms from its core, and dissolves from its edges.";
+    let all = [
+        (None, "always whole".into()),
+        (Some(FormationChange::Forming), "forms".into()),
+        (Some(FormationChange::Dissipating), "dissipates".into()),
+    ];
+    let mut change = formation.map(|formation| formation.change);
+    rows.choice("Formation", doc, &mut change, &all);
+    *formation = change.map(|change| Formation { change, ..formation.unwrap_or_default() });
+    if let Some(Formation { start_s, core_s, edges_s, threshold, .. }) = formation {
+        rows.number(&p::FORMATION_START_S, start_s);
+        rows.number(&p::FORMATION_CORE_S, core_s);
+        rows.number(&p::FORMATION_EDGES_S, edges_s);
+        rows.number(&p::FORMATION_THRESHOLD, threshold);
     }
 }

@@ -10,6 +10,7 @@ mod cloud;
 mod cloud_box;
 pub(crate) mod color_levels;
 mod fields;
+mod flight;
 pub(crate) mod handle;
 mod history;
 mod inspector;
@@ -33,7 +34,7 @@ pub(crate) use place_many::{ask_place_many, default_places};
 pub use preset_gallery::{category_gallery, preset_gallery};
 pub(crate) use status::status;
 
-use crate::editor::{Action, Session, TimePlay, ViewState};
+use crate::editor::{Action, Clock, Session, TimePlay, ViewState};
 use crate::theme::icon;
 use crate::thumbnail::Thumbnails;
 use crate::units::Units;
@@ -58,6 +59,8 @@ pub(crate) enum Panel {
     ShadingGroups,
     /// Light, time and place.
     Sky,
+    /// Camera paths, aircraft and the scene's clock.
+    Flight,
     /// All changes.
     History,
     /// What is wrong with the scene.
@@ -75,12 +78,18 @@ pub(crate) struct Reading<'a> {
     pub(crate) thumbnails: &'a RefCell<Thumbnails>,
     /// The time of day, if it runs.
     pub(crate) time_play: &'a TimePlay,
+    /// The scene's clock, and what is flown by it.
+    pub(crate) clock: &'a Clock,
     /// Colour levels to paste.
     pub(crate) copied_levels: Option<&'a ColorLevels>,
     /// Clockwise from north: where the viewport looks.
     pub(crate) view_heading_deg: f64,
     /// Whether the panel of colour levels is on the screen.
     pub(crate) levels_shown: bool,
+    /// Whether flights by hand are recorded.
+    pub(crate) is_recording: bool,
+    /// Whether the panel of flights is on the screen.
+    pub(crate) flight_shown: bool,
     /// What altitudes and speeds are shown in.
     pub(crate) units: Units,
 }
@@ -99,9 +108,11 @@ impl Panel {
             Self::Viewport => "Viewport",
             Self::Outline => "Outline",
             Self::Inspector => "Inspector",
-            Self::ColorLevels => "Colour levels",
-            Self::ShadingGroups => "Shading groups",
+            // Short, so that four tabs stand side by side in a window of 1280 points.
+            Self::ColorLevels => "Levels",
+            Self::ShadingGroups => "Groups",
             Self::Sky => "Sky",
+            Self::Flight => "Flight",
             Self::History => "History",
             Self::Problems => "Problems",
         }
@@ -116,6 +127,7 @@ impl Panel {
             Self::ColorLevels => icon::GRADIENT,
             Self::ShadingGroups => icon::STACK,
             Self::Sky => icon::SUN,
+            Self::Flight => icon::AIRPLANE_TILT,
             Self::History => icon::CLOCK_COUNTER_CLOCKWISE,
             Self::Problems => icon::WARNING,
         }
@@ -130,6 +142,7 @@ impl Panel {
             Self::ColorLevels => color_levels::show(ui, reading, actions),
             Self::ShadingGroups => shading_groups::show(ui, reading, actions),
             Self::Sky => sky::show(ui, reading, actions),
+            Self::Flight => flight::show(ui, reading, actions),
             Self::History => history::show(ui, reading, actions),
             Self::Problems => problems::show(ui, reading, actions),
         }

@@ -1,5 +1,6 @@
 //! Names of the icon font's glyphs (assets/fonts). Buttons that show only an icon carry their name for screen readers.
 
+pub(crate) const AIRPLANE_TILT: &str = "\u{E5D6}";
 pub(crate) const ARROW_U_UP_LEFT: &str = "\u{E08A}";
 pub(crate) const ARROW_U_UP_RIGHT: &str = "\u{E08C}";
 pub(crate) const ARROWS_CLOCKWISE: &str = "\u{E094}";
@@ -37,14 +38,21 @@ pub(crate) const MAGNET: &str = "\u{E680}";
 pub(crate) const MAGNIFYING_GLASS: &str = "\u{E30C}";
 pub(crate) const MAP_PIN: &str = "\u{E316}";
 pub(crate) const PAINT_BUCKET: &str = "\u{E392}";
+pub(crate) const PATH: &str = "\u{E39C}";
 pub(crate) const PAUSE: &str = "\u{E39E}";
 pub(crate) const PLAY: &str = "\u{E3D0}";
 pub(crate) const PLUS: &str = "\u{E3D4}";
+pub(crate) const RECORD: &str = "\u{E3EE}";
+pub(crate) const REPEAT: &str = "\u{E3F6}";
 pub(crate) const RESIZE: &str = "\u{ED6E}";
 pub(crate) const SELECTION_ALL: &str = "\u{E746}";
+pub(crate) const SKIP_BACK: &str = "\u{E5A4}";
+pub(crate) const SKIP_FORWARD: &str = "\u{E5A6}";
 pub(crate) const SLIDERS_HORIZONTAL: &str = "\u{E434}";
 pub(crate) const SQUARES_FOUR: &str = "\u{E464}";
 pub(crate) const STACK: &str = "\u{E466}";
+pub(crate) const STEERING_WHEEL: &str = "\u{E9AC}";
+pub(crate) const STOP: &str = "\u{E46C}";
 pub(crate) const SUBTRACT: &str = "\u{EBD6}";
 pub(crate) const SUN: &str = "\u{E472}";
 pub(crate) const TARGET: &str = "\u{E47C}";

@@ -1,14 +1,15 @@
-//! Marks at sprites: dots, or the quads' true outlines as the eye sees them; filled in the tints of their shading
+//! Marks at sprites: dots, or the quads' true outlines as the picture shows them; filled in the tints of their shading
 //! groups in the group view.
 //!
 //! All marks are one mesh, built anew only when what it shows changed: ten thousands of sprites cost nothing while the
 //! view stands still.
 
+use super::pick;
 use super::screen::Screen;
 use crate::editor::{Item, Selection, SpriteMarks, ViewState};
 use crate::panel::Reading;
 use crate::theme;
-use cloudwright_core::facing::{Pose, corners};
+use cloudwright_core::facing::{FacingMemory, Pose, Poses, corners};
 use cloudwright_core::scene::{Cloud, ModelId};
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
@@ -36,11 +37,13 @@ struct Key {
     group_view: bool,
     selection: Selection,
     hidden: [BTreeSet<Item>; 2],
+    clock_s: f64,
+    memory: FacingMemory,
 }
 
 impl Marks {
-    /// Paints them.
-    pub(super) fn paint(&mut self, painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
+    /// Paints them. `memory` is the picture's.
+    pub(super) fn paint(&mut self, painter: &Painter, screen: &Screen, memory: &FacingMemory, reading: &Reading<'_>) {
         let view = reading.view;
         let any_selected = view.selection.sprites().next().is_some();
         if view.sprite_marks == SpriteMarks::Off && !view.group_view && !any_selected {
@@ -55,18 +58,22 @@ impl Marks {
             group_view: view.group_view,
             selection: view.selection.clone(),
             hidden: [view.hidden.clone(), view.solo.clone()],
+            clock_s: reading.clock.time_s(),
+            memory: memory.clone(),
         };
         let mesh = match self.shown.take() {
             Some((shown, mesh)) if shown == key => mesh,
-            _ => Arc::new(mesh(screen, reading)),
+            _ => Arc::new(mesh(screen, memory, reading)),
         };
         painter.add(Shape::Mesh(Arc::clone(&mesh)));
         self.shown = Some((key, mesh));
     }
 }
 
-fn mesh(screen: &Screen, reading: &Reading<'_>) -> Mesh {
+fn mesh(screen: &Screen, memory: &FacingMemory, reading: &Reading<'_>) -> Mesh {
     let view = reading.view;
+    let derived = reading.session.derived();
+    let poses = Poses::new(derived.clouds(), derived.version(), &screen.view, memory);
     let clouds: Vec<(&Cloud, &PlacedCloud)> = marked(reading);
     let count: usize = clouds.iter().map(|(_, placed)| placed.sprites.len()).sum();
     let every = count.div_ceil(MOST).max(1);
@@ -78,6 +85,12 @@ fn mesh(screen: &Screen, reading: &Reading<'_>) -> Mesh {
         if !screen.view.sees_sphere(offset + placed.center, placed.reach) {
             continue;
         }
+        let cloud_index = derived.clouds().iter().position(|each| each.id == placed.id).unwrap_or(usize::MAX);
+        let pose = |number: usize, center: Vec3| match poses.of_sprite(cloud_index, number as u32) {
+            Some(pose) => *pose,
+            None => Pose::facing_eye(center, screen.view.up),
+        };
+        let is_there = pick::is_there(placed, reading.clock.time_s());
         let tints = view.group_view.then(|| theme::tints(placed));
         for (number, sprite) in placed.sprites.iter().enumerate() {
             if view.hidden.contains(&Item::Box(cloud.model, sprite.box_id)) {
@@ -85,16 +98,16 @@ fn mesh(screen: &Screen, reading: &Reading<'_>) -> Mesh {
             }
             let center = offset + sprite.position;
             if chosen.contains(&(cloud.model, sprite.box_id, sprite.index)) {
-                selected.push((center, sprite));
-            } else if number % every == 0 {
+                selected.push((center, sprite, pose(number, center)));
+            } else if number % every == 0 && is_there(sprite) {
                 let color = color_of(cloud.model, tints.as_deref(), sprite, view);
-                mark(&mut mesh, screen, center, sprite, color, view);
+                mark(&mut mesh, screen, (center, sprite, || pose(number, center)), color, view);
             }
         }
     }
     // On top of the others.
-    for (center, sprite) in selected {
-        if let Some(quad) = quad(screen, center, sprite) {
+    for (center, sprite, pose) in selected {
+        if let Some(quad) = quad(screen, center, sprite, &pose) {
             ring(&mut mesh, quad, 3.5, theme::CASING);
             ring(&mut mesh, quad, 2.0, theme::SELECTED_BOX.color);
         }
@@ -129,11 +142,17 @@ fn color_of(model: ModelId, tints: Option<&[Color32]>, sprite: &Sprite, view: &V
     }
 }
 
-fn mark(mesh: &mut Mesh, screen: &Screen, center: Vec3, sprite: &Sprite, color: Color32, view: &ViewState) {
+fn mark(
+    mesh: &mut Mesh,
+    screen: &Screen,
+    (center, sprite, pose): (Vec3, &Sprite, impl Fn() -> Pose),
+    color: Color32,
+    view: &ViewState,
+) {
     let outlines = view.sprite_marks == SpriteMarks::Outlines;
     if (view.group_view || outlines)
         && screen.view.sees_sphere(center, sprite.reach())
-        && let Some(quad) = quad(screen, center, sprite)
+        && let Some(quad) = quad(screen, center, sprite, &pose())
     {
         if view.group_view {
             fill(mesh, quad, color.gamma_multiply(theme::GROUP_FILL));
@@ -148,8 +167,8 @@ fn mark(mesh: &mut Mesh, screen: &Screen, center: Vec3, sprite: &Sprite, color: 
 }
 
 /// Where a sprite's corners show, if all of them do.
-fn quad(screen: &Screen, center: Vec3, sprite: &Sprite) -> Option<[Pos2; 4]> {
-    let facing = Pose::facing_eye(center, screen.view.up).facing(sprite.rotation);
+fn quad(screen: &Screen, center: Vec3, sprite: &Sprite, pose: &Pose) -> Option<[Pos2; 4]> {
+    let facing = pose.facing(sprite.rotation);
     let [a, b, c, d] = corners(center, facing, sprite.width, sprite.height).map(|corner| screen.project(corner));
     Some([a?, b?, c?, d?])
 }

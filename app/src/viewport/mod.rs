@@ -16,33 +16,39 @@ mod marks;
 mod marquee;
 mod navigation;
 mod overlay;
+mod paths;
 mod pick;
 mod picture;
 mod pilot;
 mod plane;
+mod ride;
 mod screen;
 mod steer;
 mod targets;
 mod way;
 mod wireframe;
 
-use crate::editor::{Action, Choose, Selection, Session, Tool};
+use crate::editor::{Action, Choose, Item, Selection, Session, Tool, ViewChange};
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use box_tool::BoxTool;
 use cloudwright_core::camera::View;
-use cloudwright_core::scene::Camera;
+use cloudwright_core::scene::{Camera, PathId};
+use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, pos2};
 use faces::Faces;
 use gizmo::GizmoHands;
 use glam::DVec3;
+use hud::Readout;
 use marks::Marks;
 use marquee::Marquee;
 use navigation::Navigation;
+use paths::Paths;
 use pick::{Clicks, Picked};
 use picture::{PictureSource, Shot};
 use pilot::Pilot;
+use ride::{Ride, Seat};
 use screen::Screen;
 use std::time::Duration;
 use way::Way;
@@ -52,8 +58,10 @@ pub(crate) struct Viewport {
     navigation: Navigation,
     pilot: Pilot,
     way: Way,
+    ride: Option<Ride>,
     picture: PictureSource,
     marks: Marks,
+    paths: Paths,
     clicks: Clicks,
     marquee: Marquee,
     gizmo: GizmoHands,
@@ -73,8 +81,10 @@ impl Viewport {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             pilot: Pilot::default(),
             way: Way::default(),
+            ride: None,
             picture: PictureSource::new(context, choice, device),
             marks: Marks::default(),
+            paths: Paths::default(),
             clicks: Clicks::default(),
             marquee: Marquee::default(),
             gizmo: GizmoHands::default(),
@@ -101,7 +111,7 @@ impl Viewport {
             f64::from(view.depth(center))
         });
         let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
-        self.pilot.stop();
+        self.leave();
         self.way.begin_anew();
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
@@ -109,9 +119,38 @@ impl Viewport {
     /// Brings a selection into view; all clouds for nothing.
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = bounds::bounds(selection, session) {
-            self.pilot.stop();
+            self.leave();
             self.way.begin_anew();
             self.navigation.frame(center, radius);
+        }
+    }
+
+    /// The view goes along a path from now on, at the clock's time.
+    pub(crate) fn board(&mut self, path: PathId) {
+        if self.ride.as_ref().is_some_and(|ride| ride.path == path) {
+            return;
+        }
+        let before = self.ride.take().map_or_else(|| self.navigation.clone(), |ride| ride.before);
+        self.pilot.stop();
+        self.ride = Some(Ride::new(path, before));
+    }
+
+    /// Whether the view goes along a path.
+    pub(crate) fn is_on_board(&self) -> bool {
+        self.ride.is_some()
+    }
+
+    /// Ends a flight of any kind where it is.
+    pub(crate) fn leave(&mut self) {
+        self.pilot.stop();
+        self.ride = None;
+    }
+
+    /// Ends the flight along a path; the view is the one from before.
+    pub(crate) fn get_off(&mut self) {
+        if let Some(ride) = self.ride.take() {
+            self.way.begin_anew();
+            self.navigation = ride.before;
         }
     }
 
@@ -158,40 +197,89 @@ impl Viewport {
         }
         let is_free = !self.gizmo.is_held() && !self.marquee.is_on();
         let may_fly = is_free && !self.holds_gesture();
+        let seat = self.take_seat(reading);
         self.pilot.fly(&mut self.navigation, ui, &response, may_fly);
         if is_free && !self.pilot.is_held() {
             let screen = Screen::new(self.camera(), rect);
             steer::steer(&mut self.navigation, ui, &response, &screen, reading);
         }
+        let seat = self.keep_seat(seat, reading);
         let screen = Screen::new(self.camera(), rect);
         let painter = ui.painter_at(rect);
-        self.paint_picture(ui, &response, &painter, reading);
-        self.marks.paint(&painter, &screen, reading);
+        let history = self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
+        self.marks.paint(&painter, &screen, &history.facing, reading);
         wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
         cameras::paint(&painter, &screen, reading);
+        let ridden = self.ride.as_ref().map(|ride| ride.path);
+        self.paths.paint(&painter, &screen, ridden, reading);
         self.work(ui, &response, &painter, &screen, reading, actions);
         level_handles::show(ui, rect, &screen.view, reading, actions);
         if self.pilot.is_held() {
             overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.pilot.speed_m_s()));
+        } else if seat.is_some() {
+            overlay::on_board_hint(&painter, rect);
         } else {
             overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
         }
-        if let Some(readout) = self.pilot.readout(&self.navigation) {
+        if reading.is_recording {
+            overlay::recording(&painter, rect);
+        }
+        let on_board = seat.map(|seat| Readout::of(&seat.camera, seat.speed_m_s));
+        if let Some(readout) = on_board.or_else(|| self.pilot.readout(&self.navigation)) {
             readout.show(ui, rect, reading.units);
         }
         overlay::show(ui, rect, reading, actions);
     }
 
-    fn paint_picture(&mut self, ui: &Ui, response: &Response, painter: &Painter, reading: &Reading<'_>) {
+    /// Puts the view where the clock says, while it is on board.
+    fn take_seat(&mut self, reading: &Reading<'_>) -> Option<Seat> {
+        let seat = self.ride.as_mut().and_then(|ride| ride.seat(reading));
+        match &seat {
+            Some(seat) => self.navigation = Navigation::new(seat.camera.clone(), self.navigation.distance()),
+            None => self.ride = None,
+        }
+        seat
+    }
+
+    /// A hand that has moved the view since ends the flight here, and the view remembers what it has seen.
+    fn keep_seat(&mut self, seat: Option<Seat>, reading: &Reading<'_>) -> Option<Seat> {
+        let seat = seat?;
+        if *self.navigation.camera() == seat.camera {
+            return Some(seat);
+        }
+        self.ride = None;
+        self.way.go_on_from(&seat.camera, seat.history, reading.session.derived());
+        None
+    }
+
+    /// What the picture's view has seen on its way.
+    fn paint_picture(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        painter: &Painter,
+        seat: Option<&Seat>,
+        reading: &Reading<'_>,
+    ) -> ViewHistory {
         let session = reading.session;
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
-        let quick = by_hand || session.document().is_open() || reading.time_play.is_on();
+        let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round();
         let size = [pixels.x as u32, pixels.y as u32];
         let hidden = reading.view.hidden_in(session.scene());
         let camera = self.navigation.camera().clone();
-        let history = self.way.follow(&camera, session.derived()).clone();
-        let shot = Shot { camera, hour: reading.hour(), size, hidden, history };
+        let history = match seat {
+            Some(seat) => seat.history.clone(),
+            None => self.way.follow(&camera, session.derived(), reading.view.sorting).clone(),
+        };
+        let shot = Shot {
+            camera,
+            hour: reading.hour(),
+            clock_s: reading.clock.time_s(),
+            size,
+            hidden,
+            history: history.clone(),
+        };
         self.picture.ask(session, shot, quick);
         match self.picture.texture() {
             Some(texture) => {
@@ -202,6 +290,7 @@ impl Viewport {
                 painter.rect_filled(response.rect, 0.0, ui.visuals().extreme_bg_color);
             }
         }
+        history
     }
 
     /// The tools: who gets the primary button is decided when it goes down.
@@ -235,6 +324,11 @@ impl Viewport {
             self.marquee.begin(at);
         }
         self.marquee.show(ui, painter, screen, reading, actions);
+        let double = response.double_clicked().then(|| response.interact_pointer_pos()).flatten();
+        if let Some((path, Some(index))) = double.and_then(|at| self.paths.under(at, screen)) {
+            actions.push(Action::GoToKey(path, index));
+            return;
+        }
         let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
         if let Some(at) = clicked.or(on_face)
             && !gizmo_has_pointer
@@ -252,6 +346,11 @@ impl Viewport {
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
     ) {
+        if let Some((path, key)) = self.paths.under(at, screen) {
+            actions.push(Action::Select { items: vec![Item::Path(path)], through: None, how });
+            actions.push(Action::View(ViewChange::PathKey(key.map(|index| (path, index)))));
+            return;
+        }
         let picked = if how == Choose::Only {
             self.clicks.pick(at, screen, self.navigation.camera(), reading)
         } else {

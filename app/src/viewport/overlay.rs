@@ -128,6 +128,17 @@ pub(super) fn flying_hint(painter: &Painter, rect: Rect, speed: &str) {
     at_the_foot(painter, rect, &text);
 }
 
+/// On board of a path.
+pub(super) fn on_board_hint(painter: &Painter, rect: Rect) {
+    at_the_foot(painter, rect, "on board   drag or fly: leave the path here   Esc: back to the view from before");
+}
+
+/// That what is flown is recorded, at the picture's head.
+pub(super) fn recording(painter: &Painter, rect: Rect) {
+    let at = rect.center_top() + vec2(0.0, theme::VIEWPORT_MARGIN);
+    text_on_shade(painter, at, Align2::CENTER_TOP, &format!("{} recording", icon::RECORD));
+}
+
 fn at_the_foot(painter: &Painter, rect: Rect, text: &str) {
     let at = rect.left_bottom() + vec2(theme::VIEWPORT_MARGIN, -theme::VIEWPORT_MARGIN);
     text_on_shade(painter, at, Align2::LEFT_BOTTOM, text);

@@ -11,6 +11,7 @@ use crate::panel::Reading;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::camera::NEAR_M;
 use cloudwright_core::scene::{BoxId, Camera, Cloud, CloudBox, CloudId};
+use cloudwright_core::shading::Formed;
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use egui::Pos2;
 use glam::Vec3;
@@ -93,7 +94,7 @@ pub(super) fn depth(screen: &Screen, ray: Vec3, reading: &Reading<'_>) -> Option
     let scene = reading.session.scene();
     let clouds = scene.clouds.iter().filter(|cloud| reading.view.shows(cloud));
     let placed = clouds.filter_map(|cloud| reading.session.placed(cloud.id));
-    let nearest = placed.flat_map(|placed| hits(placed, ray, screen).map(|(depth, _)| depth)).reduce(f32::min);
+    let nearest = placed.flat_map(|placed| hits(placed, ray, screen, reading).map(|(depth, _)| depth)).reduce(f32::min);
     nearest.or_else(|| {
         let altitude = scene.ground.as_ref()?.altitude_m;
         let depth = (altitude - screen.view.eye.y) as f32 / ray.y;
@@ -108,14 +109,27 @@ fn placed<'a>(reading: &Reading<'a>) -> impl Iterator<Item = (&'a Cloud, &'a Pla
     clouds.filter_map(move |cloud| Some((cloud, session.placed(cloud.id)?)))
 }
 
+/// Which sprites of a cloud are there at the clock's time: all of one that doesn't form, else those that are not clear.
+pub(super) fn is_there(placed: &PlacedCloud, clock_s: f64) -> impl Fn(&Sprite) -> bool + use<'_> {
+    let formed = placed.formation.as_ref().map(|formation| Formed::at(Some(formation), clock_s));
+    move |sprite| formed.is_none_or(|formed| formed.opacity(placed.radii_of(sprite.position)) > 0.0)
+}
+
 /// The sprites that a ray meets, with the depths.
-fn hits<'a>(placed: &'a PlacedCloud, ray: Vec3, screen: &Screen) -> impl Iterator<Item = (f32, &'a Sprite)> + use<'a> {
+fn hits<'a>(
+    placed: &'a PlacedCloud,
+    ray: Vec3,
+    screen: &Screen,
+    reading: &Reading<'_>,
+) -> impl Iterator<Item = (f32, &'a Sprite)> + use<'a> {
+    let is_there = is_there(placed, reading.clock.time_s());
     let offset = screen.relative(placed.origin);
     let near = meets(ray, offset + placed.center, placed.reach).is_some();
     let sprites = if near { &*placed.sprites } else { &[] };
     sprites
         .iter()
         .filter_map(move |sprite| Some((meets(ray, offset + sprite.position, sprite.radius() * SOLID_SHARE)?, sprite)))
+        .filter(move |(_, sprite)| is_there(sprite))
 }
 
 /// How near a ray meets a cloud, and its boxes: first those whose sprites it meets, then those that it only passes.
@@ -131,7 +145,7 @@ fn meet(
         (!reading.view.hidden.contains(&item), !reading.view.locked.contains(&item))
     };
     let mut by_sprite: BTreeMap<BoxId, f32> = BTreeMap::new();
-    for (depth, sprite) in hits(placed, ray, screen) {
+    for (depth, sprite) in hits(placed, ray, screen, reading) {
         let nearest = by_sprite.entry(sprite.box_id).or_insert(depth);
         *nearest = nearest.min(depth);
     }
@@ -195,10 +209,11 @@ pub(super) fn dots_on<'a>(
     screen: &'a Screen,
     reading: &Reading<'a>,
 ) -> impl Iterator<Item = (Pos2, f32, Picked)> + use<'a> {
-    let view = reading.view;
+    let (view, clock_s) = (reading.view, reading.clock.time_s());
     dots(reading).into_iter().flat_map(move |(cloud, placed)| {
         let offset = screen.relative(placed.origin);
-        placed.sprites.iter().filter_map(move |sprite| {
+        let is_there = is_there(placed, clock_s);
+        placed.sprites.iter().filter(move |sprite| is_there(sprite)).filter_map(move |sprite| {
             let its_box = Item::Box(cloud.model, sprite.box_id);
             if view.hidden.contains(&its_box) || view.locked.contains(&its_box) {
                 return None;

@@ -40,6 +40,8 @@ pub(super) struct Shot {
     pub(super) camera: Camera,
     /// Local civil hours.
     pub(super) hour: f64,
+    /// Seconds of the scene's clock.
+    pub(super) clock_s: f64,
     /// Pixels.
     pub(super) size: [u32; 2],
     /// What is left out.
@@ -50,9 +52,9 @@ pub(super) struct Shot {
 
 impl Shot {
     fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, beside: &'a Beside) -> Frame<'a> {
-        let Self { camera, hour, size, hidden, history } = self;
+        let Self { camera, hour, clock_s, size, hidden, history } = self;
         let meshes = beside.meshes();
-        let sight = Sight { camera, time_h: *hour, clock_s: 0.0, size: *size, hidden, meshes, history };
+        let sight = Sight { camera, time_h: *hour, clock_s: *clock_s, size: *size, hidden, meshes, history };
         Frame::of(scene, derived, beside.sheet(), &sight)
     }
 }

@@ -8,7 +8,9 @@ use crate::panel::Reading;
 use cloudwright_core::arrange::{ModelSpace, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter::{BOX_SIZE, CLOUD_SCALE, POSITION};
-use cloudwright_core::scene::{Camera, Cloud, CloudBox, GroupCenter, ModelId, Scene, ShadingGroup};
+use cloudwright_core::scene::{
+    Camera, CameraPath, Cloud, CloudBox, GroupCenter, ModelId, PathKey, Scene, ShadingGroup,
+};
 use cloudwright_core::sprites::GroupKey;
 use glam::{DQuat, DVec3, EulerRot};
 use std::f64::consts::PI;
@@ -30,6 +32,8 @@ pub(super) struct Targets {
     clouds: Vec<Cloud>,
     boxes: Vec<(ModelSpace, ModelId, CloudBox)>,
     cameras: Vec<Camera>,
+    /// With the key that is worked on, if it is one.
+    paths: Vec<(CameraPath, Option<usize>)>,
     /// With their places in the world.
     sprites: Vec<(Cloud, sprites::SpriteId, DVec3)>,
     /// A group whose centre is moved, and where it lies in the world.
@@ -48,6 +52,7 @@ impl Targets {
             clouds: Vec::new(),
             boxes: Vec::new(),
             cameras: Vec::new(),
+            paths: Vec::new(),
             sprites: Vec::new(),
             group: None,
             pivot: DVec3::ZERO,
@@ -97,6 +102,15 @@ impl Targets {
                 self.cameras.push(camera.clone());
                 Some(camera.position)
             }
+            Item::Path(id) if tool != Tool::Scale => {
+                let path = scene.path(id)?;
+                let key = view.key_of(id).filter(|index| *index < path.keys.len());
+                self.paths.push((path.clone(), key));
+                match key.and_then(|index| path.keys.get(index)) {
+                    Some(key) => Some(key.position),
+                    None => Some(path.keys.iter().map(|key| key.position).sum::<DVec3>() / path.keys.len() as f64),
+                }
+            }
             Item::Group(model, id) if tool == Tool::Move && view.selection.primary() == Some(item) => {
                 let cloud = seen_in(model, view, scene)?;
                 let group = group_of(scene, model, id).filter(|_| may_move(item, model, view, scene))?;
@@ -123,7 +137,7 @@ impl Targets {
 
     /// Whether it is one box, which may be stretched along its axes.
     pub(super) fn is_single_box(&self) -> bool {
-        self.boxes.len() == 1 && self.clouds.is_empty() && self.cameras.is_empty()
+        self.boxes.len() == 1 && self.clouds.is_empty() && self.cameras.is_empty() && self.paths.is_empty()
     }
 
     /// What brings all of them where `act` says. `scene` is the one of this frame.
@@ -136,6 +150,7 @@ impl Targets {
                 .map(|(space, model, each)| Edit::Box(*model, ListEdit::Replace(self.cloud_box(space, each, act)))),
         );
         edits.extend(self.cameras.iter().map(|camera| Edit::Camera(ListEdit::Replace(self.camera(camera, act)))));
+        edits.extend(self.paths.iter().map(|(path, key)| Edit::Path(ListEdit::Replace(self.path(path, *key, act)))));
         edits.extend(self.group.as_ref().map(|(space, model, group, place)| {
             let mut group = group.clone();
             group.light.center = GroupCenter::At(space.from_world(self.place(*place, act)));
@@ -194,6 +209,19 @@ impl Targets {
         }
     }
 
+    /// One key, or all of them.
+    fn path(&self, old: &CameraPath, key: Option<usize>, act: Act) -> CameraPath {
+        let mut new = old.clone();
+        let keys = new.keys.iter_mut().enumerate();
+        for (_, each) in keys.filter(|(index, _)| key.is_none_or(|key| key == *index)) {
+            let PathKey { time_s, position, heading_deg, pitch_deg, roll_deg } = *each;
+            let seen = Camera { heading_deg, pitch_deg, roll_deg, ..Camera::free(position) };
+            let Camera { position, heading_deg, pitch_deg, roll_deg, .. } = self.camera(&seen, act);
+            *each = PathKey { time_s, position, heading_deg, pitch_deg, roll_deg };
+        }
+        new
+    }
+
     fn camera(&self, old: &Camera, act: Act) -> Camera {
         let mut new = Camera { position: self.place(old.position, act), ..old.clone() };
         let Act::Turn(axis, angle) = act else { return new };
@@ -249,6 +277,7 @@ mod tests {
             clouds: Vec::new(),
             boxes: Vec::new(),
             cameras: Vec::new(),
+            paths: Vec::new(),
             sprites: Vec::new(),
             group: None,
             pivot,
@@ -284,6 +313,27 @@ mod tests {
         }
         let level = targets(old.position).camera(&old, Act::Turn(DVec3::NEG_Y, 0.5_f64.to_radians()));
         assert_eq!((level.heading_deg, level.pitch_deg, level.roll_deg), (33.5, -12.0, 8.0));
+    }
+
+    #[test]
+    fn a_key_turns_alone_and_a_path_as_a_whole() {
+        let key = |i: i32| PathKey {
+            time_s: f64::from(i),
+            position: DVec3::X * (100.0 * f64::from(i)),
+            heading_deg: 90.0,
+            pitch_deg: 0.0,
+            roll_deg: 0.0,
+        };
+        let path = CameraPath::free((0..3).map(key).collect());
+        let pivot = path.keys[1].position;
+        let turn = Act::Turn(DVec3::NEG_Y, 90_f64.to_radians());
+        let alone = targets(pivot).path(&path, Some(1), turn);
+        assert_eq!((alone.keys[0], alone.keys[2]), (path.keys[0], path.keys[2]));
+        assert_eq!((alone.keys[1].position, alone.keys[1].heading_deg), (pivot, -180.0));
+        let whole = targets(pivot).path(&path, None, turn);
+        for (key, z) in whole.keys.iter().zip([-100.0, 0.0, 100.0]) {
+            assert!(key.position.distance(DVec3::new(100.0, 0.0, z)) < 1e-3 && key.heading_deg == -180.0, "{key:?}");
+        }
     }
 
     #[test]

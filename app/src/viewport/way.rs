@@ -5,6 +5,8 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Sorting;
+use cloudwright_core::facing::FacingRule;
 use cloudwright_core::scene::Camera;
 use cloudwright_core::version::Version;
 use cloudwright_core::view_history::ViewHistory;
@@ -19,17 +21,29 @@ const MOST_STEPS: u32 = 64;
 #[derive(Default)]
 pub(super) struct Way {
     history: ViewHistory,
+    sorting: Sorting,
     last: Option<(DVec3, Version)>,
 }
 
 impl Way {
     /// The view is put elsewhere.
     pub(super) fn begin_anew(&mut self) {
-        *self = Self::default();
+        let history = ViewHistory::new(FacingRule::default(), self.sorting);
+        *self = Self { history, last: None, ..*self };
+    }
+
+    /// The view was carried to `camera`, and has seen this on the way.
+    pub(super) fn go_on_from(&mut self, camera: &Camera, history: ViewHistory, derived: &Derived) {
+        self.history = history;
+        self.last = Some((camera.position, derived.version()));
     }
 
     /// Goes on to `camera`, and gives what is remembered there.
-    pub(super) fn follow(&mut self, camera: &Camera, derived: &Derived) -> &ViewHistory {
+    pub(super) fn follow(&mut self, camera: &Camera, derived: &Derived, sorting: Sorting) -> &ViewHistory {
+        if sorting != self.sorting {
+            self.sorting = sorting;
+            self.begin_anew();
+        }
         let here = (camera.position, derived.version());
         if self.last != Some(here) {
             let from = self.last.map_or(camera.position, |(eye, _)| eye);

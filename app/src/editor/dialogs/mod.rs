@@ -79,6 +79,7 @@ impl Dialogs {
         let text = match &ask {
             Ask::Open => String::new(),
             Ask::Save(path) => path.display().to_string(),
+            Ask::AircraftModel(_, scene) => scene.with_file_name("aircraft.glb").display().to_string(),
         };
         self.open(Dialog::Path { ask, text });
     }

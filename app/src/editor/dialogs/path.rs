@@ -11,6 +11,7 @@ pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Opti
     let (title, verb) = match ask {
         Ask::Open => ("Open scene", "Open"),
         Ask::Save(_) => ("Save scene as", "Save"),
+        Ask::AircraftModel(..) => ("Model of the aircraft", "Choose"),
     };
     window(context, theme::DIALOG_WIDTH, title, None, |ui| {
         ui.label("This desktop shows no file dialog (it has no portal and no zenity).");

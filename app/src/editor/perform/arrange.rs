@@ -161,6 +161,9 @@ impl Editor {
 
     /// With what hangs on it. After a group or a sprite, the artist is still at work on its cloud.
     pub(super) fn delete(&mut self) {
+        if self.delete_key() {
+            return;
+        }
         let scene = self.session.scene();
         let things = self.view.selection.items();
         let left = match self.view.selection.primary() {

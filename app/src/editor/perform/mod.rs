@@ -2,6 +2,7 @@
 
 mod add;
 mod arrange;
+mod flight;
 mod shade;
 mod view;
 
@@ -35,6 +36,8 @@ impl Editor {
                     self.session.cancel_pending();
                     self.view.keep_what_is_in(self.session.scene());
                 }
+                Action::GoToKey(path, index) => self.go_to_key(path, index),
+                Action::ChooseModel(aircraft) => self.choose_model(aircraft, context),
                 Action::JumpTo(count) => {
                     self.session.jump_to(count);
                     self.view.keep_what_is_in(self.session.scene());
@@ -66,7 +69,7 @@ impl Editor {
     }
 
     /// Edits as one undo point; what they made is selected.
-    fn edit_and_select(&mut self, command: Command, edits: Vec<Edit>, selection: Selection) {
+    pub(in crate::editor) fn edit_and_select(&mut self, command: Command, edits: Vec<Edit>, selection: Selection) {
         let done = self.session.edit(command.row().label(), edits);
         if done.is_ok() {
             self.select(selection);
@@ -105,6 +108,7 @@ impl Editor {
             Command::SelectNone | Command::FrameSelection => !selection.is_empty(),
             Command::FrameAll => !self.session.derived().clouds().is_empty(),
             Command::LookThrough | Command::AlignCamera => !scene.cameras.is_empty(),
+            Command::KeyAfterLast | Command::KeyAtClock | Command::AddAircraft => self.clock.path(scene).is_some(),
             _ => true,
         }
     }
@@ -124,6 +128,10 @@ impl Editor {
             Command::GroupView => view.group_view,
             Command::Solo => !view.solo.is_empty(),
             Command::PlayTime => self.time_play.is_on(),
+            Command::PlayFlight => self.clock.plays(),
+            Command::LoopFlight => self.clock.loops(),
+            Command::BoardFlight => self.clock.boards(),
+            Command::RecordFlight => self.recording.is_some(),
             _ => false,
         }
     }
@@ -188,10 +196,23 @@ impl Editor {
             Command::BoxTool => self.view.tool = Tool::Box,
             Command::Snap => self.view.snap.on ^= true,
             Command::PlayTime => self.toggle_time(),
+            Command::PlayFlight => self.toggle_flight(),
+            Command::LoopFlight => self.clock.toggle_loop(),
+            Command::BoardFlight => self.toggle_boarding(),
+            Command::FlightStart => self.seek(0.0),
+            Command::FlightEnd => self.seek(f64::INFINITY),
+            Command::SecondBack => self.seek(self.clock.time_s() - 1.0),
+            Command::SecondOn => self.seek(self.clock.time_s() + 1.0),
+            Command::AddPath => self.add_path(),
+            Command::AddAircraft => self.add_aircraft(),
+            Command::KeyAfterLast => self.key_after_last(),
+            Command::KeyAtClock => self.key_at_clock(),
+            Command::RecordFlight => self.toggle_recording(),
             Command::OutlinePanel => self.layout.bring_up(Panel::Outline),
             Command::InspectorPanel => self.layout.bring_up(Panel::Inspector),
             Command::LevelsPanel => self.layout.bring_up(Panel::ColorLevels),
             Command::GroupsPanel => self.layout.bring_up(Panel::ShadingGroups),
+            Command::FlightPanel => self.layout.bring_up(Panel::Flight),
             Command::SkyPanel => self.layout.bring_up(Panel::Sky),
             Command::HistoryPanel => self.layout.bring_up(Panel::History),
             Command::ProblemsPanel => self.layout.bring_up(Panel::Problems),

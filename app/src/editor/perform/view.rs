@@ -14,6 +14,9 @@ impl Editor {
             ViewChange::BaseAltitude(metres) => view.base_altitude_m = Some(metres),
             ViewChange::Snap(snap) => view.snap = snap,
             ViewChange::TimeSpeed(hours_a_minute) => self.time_play.set_speed(hours_a_minute),
+            ViewChange::Clock(change) => self.change_clock(change),
+            ViewChange::PathKey(key) => view.path_key = key,
+            ViewChange::Sorting(sorting) => view.sorting = sorting,
         }
     }
 

@@ -83,6 +83,7 @@ fn speed(parameter: &Parameter, value: f64, whole: bool) -> f64 {
         "m" => (value.abs() * 0.01).clamp(0.1, 1e4),
         "°" => 0.5,
         "h" => 0.02,
+        "s" | "km/h" | "kt" => (value.abs() * 0.01).clamp(0.05, 100.0),
         "EV" => 0.02,
         _ => ((parameter.max - parameter.min) * 0.002).min(0.01),
     }

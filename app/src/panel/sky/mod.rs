@@ -184,6 +184,7 @@ fn air(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
             rows.number(&p::TURBIDITY, &mut sky.turbidity);
             rows.number(&p::SKY_GAIN, &mut sky.gain);
             rows.number(&p::HAZE_LENGTH_M, &mut sky.haze_length_m);
+            rows.number(&p::INSIDE_DENSITY, &mut sky.inside_density);
         },
         Edit::Sky,
     );
