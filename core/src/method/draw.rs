@@ -28,13 +28,7 @@ impl Settings {
 
     /// The frame to draw for a picture of `sight`'s size, whose history is one of [`Settings::history`]; `derived` is
     /// from [`Settings::clouds`].
-    pub fn frame<'a>(
-        &self,
-        scene: &Scene,
-        derived: &'a Derived,
-        atlas: &'a Atlas,
-        sight: &Sight<'_>,
-    ) -> Frame<'a> {
+    pub fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight<'_>) -> Frame<'a> {
         let size = sight.size.map(|length| length * self.pixels_a_pixel());
         Frame { filter: self.filter, ..Frame::of(scene, derived, atlas, &Sight { size, ..*sight }) }
     }

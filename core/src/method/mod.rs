@@ -61,6 +61,11 @@ pub fn named(name: &str) -> Option<&'static Method> {
     METHODS.iter().find(|method| method.name == name)
 }
 
+/// What errors are measured against.
+pub fn truth() -> &'static Method {
+    &table::TRUTH
+}
+
 /// What is drawn with unless something else is asked for, on the CPU.
 pub fn shipped() -> &'static Method {
     &table::SHIPPED

@@ -11,6 +11,14 @@ use crate::variants::{FacingVariant, LazySorting, Listing, SteppedForming};
 
 const OURS: Settings = Settings::SHIPPED;
 
+/// The row of the truth.
+pub(super) const TRUTH: Method = Method {
+    name: "truth",
+    about: "The fragments of 16 rays a pixel, each ray's in their own order.",
+    family: Family::Truth,
+    settings: Settings { renderer: Renderer::Truth, samples_side: SIDE, ..OURS },
+};
+
 /// The row of what is shipped.
 pub(super) const SHIPPED: Method = Method {
     name: "fast",
@@ -21,15 +29,14 @@ pub(super) const SHIPPED: Method = Method {
 
 /// All methods: the truth, what is shipped, what else is worth a look, what is known to fail.
 pub const METHODS: &[Method] = &[
-    Method {
-        name: "truth",
-        about: "The fragments of 16 rays a pixel, each ray's in their own order.",
-        family: Family::Truth,
-        settings: Settings { renderer: Renderer::Truth, samples_side: SIDE, ..OURS },
-    },
+    TRUTH,
     SHIPPED,
     other("gpu", "The same by a graphics adapter, in 16-bit floats.", with(Renderer::Gpu)),
-    other("plain", "One fragment after the other on one core: what the fast way is tested against.", with(Renderer::Plain)),
+    other(
+        "plain",
+        "One fragment after the other on one core: what the fast way is tested against.",
+        with(Renderer::Plain),
+    ),
     other(
         "four-samples",
         "The fast way at twice the width and height, averaged in linear light.",
@@ -42,7 +49,11 @@ pub const METHODS: &[Method] = &[
         Settings { sorting: Sorting::Crossfade, ..OURS },
     ),
     other("no-stop", "The fast way to the last sprite, hidden or not.", fast(NEVER_STOP)),
-    other("early-stop", "A pixel is done when less than a sixteenth of what lies behind gets through.", fast(1.0 / 16.0)),
+    other(
+        "early-stop",
+        "A pixel is done when less than a sixteenth of what lies behind gets through.",
+        fast(1.0 / 16.0),
+    ),
     other(
         "three-quarters",
         "Of each cloud the quarter of the sprites that cover least is left out.",

@@ -22,11 +22,7 @@ pub fn linear_picture(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sy
 
 /// The frame in linear light, before exposure, and its clouds alone, with `side` × `side` samples a pixel (at least one). `progress` hears
 /// the share done, 0 to 1, now and then and from any thread.
-pub fn picture_and_clouds(
-    frame: &Frame<'_>,
-    side: u32,
-    progress: &(dyn Fn(f32) + Sync),
-) -> (LinearPicture, Layer) {
+pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sync)) -> (LinearPicture, Layer) {
     let (width, height) = (frame.view.width, frame.view.height);
     let sprites = prepare(frame);
     let places = places_in_scene(frame);
