@@ -102,6 +102,20 @@ impl Premultiplied {
     }
 }
 
+impl Add for Premultiplied {
+    type Output = Self;
+    fn add(self, o: Self) -> Self {
+        Self { r: self.r + o.r, g: self.g + o.g, b: self.b + o.b, a: self.a + o.a }
+    }
+}
+
+impl Mul<f32> for Premultiplied {
+    type Output = Self;
+    fn mul(self, k: f32) -> Self {
+        Self { r: self.r * k, g: self.g * k, b: self.b * k, a: self.a * k }
+    }
+}
+
 impl Add for Rgb {
     type Output = Self;
     fn add(self, o: Self) -> Self {

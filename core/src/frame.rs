@@ -6,6 +6,7 @@ use crate::derived::Derived;
 use crate::draw_list::{Choice, DrawList, Hidden};
 use crate::facing::Poses;
 use crate::model_in_view::{Meshes, ModelInView, aircraft_in_view};
+use crate::raster::Filter;
 use crate::scene::{Camera, Scene};
 use crate::shading::{Formed, Light, Veil, veil};
 use crate::sky::{Background, Dome, GroundLook};
@@ -38,6 +39,8 @@ pub struct Frame<'a> {
     pub veil: Veil,
     /// Their tiles.
     pub atlas: &'a Atlas,
+    /// How renderers on the CPU take texels from them.
+    pub filter: Filter,
     /// The aircraft in view, in any order.
     pub models: Vec<ModelInView>,
 }
@@ -82,7 +85,8 @@ impl<'a> Frame<'a> {
         let (clouds, clouds_version) = (derived.clouds(), derived.version());
         let view = View::new(camera, size[0], size[1]);
         let light = Light::at(scene, time_h);
-        let formed: Vec<Formed> = clouds.iter().map(|cloud| Formed::at(cloud.formation.as_ref(), clock_s)).collect();
+        let formed = clouds.iter().map(|cloud| history.forming.formed(cloud.formation.as_ref(), clock_s));
+        let formed: Vec<Formed> = formed.collect();
         let poses = Poses::new(clouds, clouds_version, &view, &history.facing);
         let choice = Choice { clouds, formed: &formed, poses: &poses, hidden };
         let (order, fading) = history.order.orders();
@@ -98,6 +102,7 @@ impl<'a> Frame<'a> {
             formed,
             clouds_version,
             atlas,
+            filter: Filter::default(),
             models: aircraft_in_view(scene, meshes, clock_s, view.eye),
         }
     }

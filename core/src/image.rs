@@ -1,6 +1,7 @@
 //! Pictures in memory.
 
 use crate::color::{Premultiplied, Rgb};
+use std::ops::{Add, Mul};
 
 /// Clouds alone: linear, premultiplied, before exposure and haze-free sky; for measures and for compositing.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,6 +37,12 @@ pub struct Picture {
 }
 
 impl Layer {
+    /// As [`LinearPicture::reduced`].
+    pub fn reduced(&self, side: u32) -> Self {
+        let ([width, height], pixels) = reduced([self.width, self.height], &self.pixels, side, Premultiplied::CLEAR);
+        Self { width, height, pixels }
+    }
+
     /// Itself, with a `share` (0 to 1) of `other`, which is of the same size.
     #[must_use]
     pub fn mix(mut self, other: Self, share: f32) -> Self {
@@ -58,15 +65,25 @@ impl LinearPicture {
 
     /// Each `side` × `side` pixels averaged into one, in linear light; a rest at the right and lower edge is left out.
     pub fn reduced(&self, side: u32) -> Self {
-        let side = side.max(1);
-        let (width, height) = (self.width / side, self.height / side);
-        let mean = |x: u32, y: u32| {
-            let block = (0..side * side)
-                .map(|i| self.pixels[((y * side + i / side) * self.width + x * side + i % side) as usize]);
-            block.fold(Rgb::BLACK, |sum, color| sum + color) * (1.0 / (side * side) as f32)
-        };
-        Self { width, height, pixels: (0..width * height).map(|i| mean(i % width, i / width)).collect() }
+        let ([width, height], pixels) = reduced([self.width, self.height], &self.pixels, side, Rgb::BLACK);
+        Self { width, height, pixels }
     }
+}
+
+/// The means of `side` × `side` pixels, and their size.
+fn reduced<P: Copy + Add<Output = P> + Mul<f32, Output = P>>(
+    size: [u32; 2],
+    pixels: &[P],
+    side: u32,
+    zero: P,
+) -> ([u32; 2], Vec<P>) {
+    let side = side.max(1);
+    let [width, height] = size.map(|length| length / side);
+    let mean = |x: u32, y: u32| {
+        let block = (0..side * side).map(|i| pixels[((y * side + i / side) * size[0] + x * side + i % side) as usize]);
+        block.fold(zero, |sum, pixel| sum + pixel) * (1.0 / (side * side) as f32)
+    };
+    ([width, height], (0..width * height).map(|i| mean(i % width, i / width)).collect())
 }
 
 impl Picture {

@@ -21,6 +21,7 @@ pub mod frame;
 pub mod image;
 pub mod math;
 pub mod measure;
+pub mod method;
 pub mod model_in_view;
 pub mod model_mesh;
 pub mod parameter;

@@ -7,6 +7,7 @@ use crate::camera::View;
 use crate::derived::Derived;
 use crate::draw_list::{OrderMemory, Sorting};
 use crate::facing::{FacingMemory, FacingRule};
+use crate::shading::FormingRule;
 
 /// Seconds between two steps (MODEL §4).
 pub const STEP_S: f64 = 1.0 / 60.0;
@@ -18,12 +19,14 @@ pub struct ViewHistory {
     pub facing: FacingMemory,
     /// In what order sprites are drawn.
     pub order: OrderMemory,
+    /// By which rule clouds form. It remembers nothing, but belongs to what a view is drawn by.
+    pub forming: FormingRule,
 }
 
 impl ViewHistory {
     /// Of nothing yet.
     pub fn new(rule: FacingRule, sorting: Sorting) -> Self {
-        Self { facing: FacingMemory::new(rule), order: OrderMemory::new(sorting) }
+        Self { facing: FacingMemory::new(rule), order: OrderMemory::new(sorting), forming: FormingRule::default() }
     }
 
     /// Goes on to `view`.

@@ -1,51 +1,31 @@
-//! Speed against accuracy, to look at: what was measured of every method becomes a file for programs and one for people.
+//! Speed against accuracy: methods are measured, and what was found becomes a file for programs and one for people.
 //!
-//! [`report`] is `chart.json`; [`front`] tells which methods no other one beats; [`svg`] draws cost against error;
-//! [`heat`] colours a picture's errors; [`html`] puts it all on one page. Pure functions: figures and pictures in,
-//! text out, and the same input gives the same bytes.
+//! [`run`] measures: a [`subject`] is what all methods draw, an [`easel`] draws it by one of them, [`frame_figures`] are
+//! what one frame tells, a [`gallery`] is what the page shows. [`report`] is `chart.json`; [`front`] tells which methods
+//! no other one beats; [`svg`] draws cost against error; [`heat`] colours a picture's errors; [`html`] puts it all on one
+//! page. But for `easel`, which reads the clock, these are pure functions: the same input gives the same bytes.
 
 mod columns;
+pub mod easel;
+pub mod frame_figures;
 pub mod front;
+pub mod gallery;
 pub mod heat;
 pub mod html;
 pub mod report;
+pub mod run;
+pub mod subject;
 pub mod svg;
-mod text;
+pub(crate) mod text;
 
-/// What a method is among the others: a mark of its own in charts.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Family {
-    /// What errors are measured against.
-    Truth,
-    /// What Cloudwright draws with unless told otherwise.
-    Shipped,
-    /// A way of drawing worth a look.
-    Other,
-    /// A way that is known to go wrong, kept to show how.
-    Failing,
-}
+pub use cloudwright_core::method::Family;
 
-impl Family {
-    /// In the order of legends.
-    pub const ALL: [Self; 4] = [Self::Truth, Self::Shipped, Self::Other, Self::Failing];
-
-    /// For legends and badges.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Truth => "truth",
-            Self::Shipped => "shipped",
-            Self::Other => "others",
-            Self::Failing => "known to fail",
-        }
-    }
-
-    /// Its class in style sheets.
-    fn class(self) -> &'static str {
-        match self {
-            Self::Truth => "truth",
-            Self::Shipped => "shipped",
-            Self::Other => "other",
-            Self::Failing => "failing",
-        }
+/// A family's class in style sheets.
+fn class(family: Family) -> &'static str {
+    match family {
+        Family::Truth => "truth",
+        Family::Shipped => "shipped",
+        Family::Other => "other",
+        Family::Failing => "failing",
     }
 }

@@ -3,6 +3,7 @@
 //! The structs are the file: a field here is a field there, in this order, after a head that names format and version.
 //! Times are milliseconds; errors and stability are those of `cloudwright_core::measure`, none of which has a unit.
 
+use super::frame_figures::FrameFigures;
 use super::front;
 use cloudwright_core::formats::pretty_json;
 use cloudwright_core::problem::Problem;
@@ -34,6 +35,9 @@ pub struct Report {
     /// Methods that could not be measured.
     #[serde(default)]
     pub left_out: Vec<LeftOut>,
+    /// Tells what was drawn, scene and program, from anything else; empty if that is not known.
+    #[serde(default)]
+    pub input: String,
     /// Whether there is more to measure: the run was interrupted.
     #[serde(default)]
     pub unfinished: bool,
@@ -65,6 +69,9 @@ pub struct Method {
     /// Whether no other method is both cheaper and truer; [`Report::mark_front`] says.
     #[serde(default)]
     pub on_front: bool,
+    /// What its frames told, one for each place along the path or one for a still; `error` and `stability` sum them up.
+    #[serde(default)]
+    pub frames: Vec<FrameFigures>,
 }
 
 /// What a method takes.
@@ -102,9 +109,9 @@ pub struct Counts {
 /// What a method gets wrong, against the truth.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Error {
-    /// FLIP, mean over the pixels, 0 to 1.
+    /// FLIP, mean over the pixels of all frames, 0 to 1.
     pub flip_mean: Figure,
-    /// FLIP of the pixel that 99 of 100 don't exceed.
+    /// FLIP of the pixel that 99 of 100 don't exceed, in the frame where that is most.
     pub flip_p99: Figure,
     /// Root of the mean squared error in linear light.
     pub rmse: Figure,
@@ -117,7 +124,7 @@ pub struct Error {
 pub struct Stability {
     /// Mean over all pixels and frames.
     pub excess_mean: Figure,
-    /// What 999 of 1000 pixels don't exceed.
+    /// What 999 of 1000 pixels don't exceed, from the frame to the next one where that is most.
     pub excess_p999: Figure,
     /// The mean over the pixels of the worst frame.
     pub worst_frame: Figure,

@@ -1,6 +1,6 @@
 //! What may stand on the command line, and how single values are read.
 
-use super::{check, export, fly, info, new, render, thin};
+use super::{chart, check, export, fly, info, new, render, thin};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -18,6 +18,7 @@ use std::path::PathBuf;
   cloudwright new sky.cloudscene
   cloudwright render fair_weather.cloudscene -o sky.png
   cloudwright fly fair_weather.cloudscene --path through -o through.mp4
+  cloudwright chart fair_weather.cloudscene -o chart
   cloudwright check *.cloudscene
 
 Exit codes: 0 done, 1 problems found, 2 unusable input, 3 could not do it."
@@ -41,6 +42,8 @@ pub(super) enum Subcommand {
     Render(render::Arguments),
     /// Draw a flight along a camera path, as PNG files or a video
     Fly(fly::Arguments),
+    /// Chart what methods of drawing cost against what they get wrong
+    Chart(chart::Arguments),
     /// List the problems of scenes
     Check(check::Arguments),
     /// Count a scene's models, boxes and sprites
@@ -64,6 +67,12 @@ pub(crate) fn time_of_day(text: &str) -> Result<f64, String> {
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     let is_sound = |seconds: &f64| (0.0..=1e6).contains(seconds);
     text.parse().ok().filter(is_sound).ok_or_else(|| "write seconds, 0 to 1000000, such as 12.5".into())
+}
+
+/// A share of a whole, or an error on such a scale.
+pub(super) fn share(text: &str) -> Result<f64, String> {
+    let is_sound = |share: &f64| (0.0..=1.0).contains(share);
+    text.parse().ok().filter(is_sound).ok_or_else(|| "write a number from 0 to 1, such as 0.02".into())
 }
 
 /// `WIDTHxHEIGHT` in pixels.
@@ -107,6 +116,10 @@ mod tests {
         assert_eq!(seconds("12.5"), Ok(12.5));
         for bad in ["-1", "NaN", "inf", "1e7", "soon", ""] {
             assert!(seconds(bad).is_err(), "{bad}");
+        }
+        assert_eq!(share("0.02"), Ok(0.02));
+        for bad in ["-0.1", "1.1", "NaN", "2 %", ""] {
+            assert!(share(bad).is_err(), "{bad}");
         }
         assert_eq!(samples_side("16"), Ok(4));
         for bad in ["0", "2", "15", "81", "-4", "four"] {

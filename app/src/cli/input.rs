@@ -41,7 +41,7 @@ pub(super) fn path<'a>(scene: &'a Scene, file: &Path, name: &str) -> Result<&'a 
     };
     if path.keys.len() < 2 {
         let what = format!("{}: paths: “{name}” stands still: it has one key", file.display());
-        return Err(Failure::argument(what, "add a key with a later time, or use cloudwright render"));
+        return Err(Failure::argument(what, "add a key with a later time, or draw a still from a camera"));
     }
     Ok(path)
 }

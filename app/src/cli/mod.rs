@@ -4,6 +4,7 @@
 //! and its kind decides the exit code: 0 done, 1 problems found, 2 unusable input, 3 could not do it.
 
 mod arguments;
+mod chart;
 mod check;
 mod edit;
 mod export;
@@ -41,6 +42,7 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Subcommand::New(arguments)) => new::run(arguments),
         Some(Subcommand::Render(arguments)) => render::run(arguments),
         Some(Subcommand::Fly(arguments)) => fly::run(arguments),
+        Some(Subcommand::Chart(arguments)) => chart::run(arguments),
         Some(Subcommand::Check(arguments)) => check::run(arguments),
         Some(Subcommand::Info(arguments)) => info::run(arguments),
         Some(Subcommand::Export(arguments)) => export::run(arguments),

@@ -33,7 +33,11 @@ pub struct Playback {
 impl Playback {
     /// At the start of `path`.
     pub fn new(path: &CameraPath, rule: FacingRule, sorting: Sorting) -> Self {
-        let fresh = ViewHistory::new(rule, sorting);
+        Self::with_history(path, ViewHistory::new(rule, sorting))
+    }
+
+    /// At the start of `path`, with a history of nothing yet.
+    pub fn with_history(path: &CameraPath, fresh: ViewHistory) -> Self {
         let history = fresh.clone();
         Self { curve: PathCurve::new(path), fresh, version: None, history, steps: 0, kept: Vec::new() }
     }

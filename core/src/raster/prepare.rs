@@ -15,6 +15,16 @@ use crate::sprites::{Atlas, MIP_LEVELS, TILE_SIZE, TileLevel};
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
 
+/// How texels become a fragment's.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Filter {
+    /// Linear within and between mip levels.
+    #[default]
+    MipLevels,
+    /// Linear within the finest level, whose texels far sprites step over: they shimmer.
+    FinestLevel,
+}
+
 /// A function linear in the pixel coordinates counted from a sprite's [`ScreenSprite::anchor`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Linear {
@@ -95,7 +105,10 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite) -> Sc
     let outline = outline(view, &quad);
     let depth = view.depth(drawn.center).max(NEAR_M);
     let texels_a_pixel = TILE_SIZE as f32 * view.pixel() / (sprite.width * sprite.height).sqrt();
-    let mip = sharpened((texels_a_pixel * depth).log2());
+    let mip = match frame.filter {
+        Filter::MipLevels => sharpened((texels_a_pixel * depth).log2()),
+        Filter::FinestLevel => 0.0,
+    };
     ScreenSprite {
         anchor,
         denominator: plane.denominator(),

@@ -9,15 +9,20 @@ use super::plain::put_behind;
 use super::{ScreenSprite, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
-use crate::image::LinearPicture;
+use crate::image::{Layer, LinearPicture};
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Samples a pixel that error figures use: 4 × 4.
 pub const SIDE: u32 = 4;
 
-/// The frame in linear light, before exposure, with `side` × `side` samples a pixel (at least one). `progress` hears
-/// the share done, 0 to 1, now and then and from any thread.
+/// The frame in linear light, before exposure; as [`picture_and_clouds`].
 pub fn linear_picture(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sync)) -> LinearPicture {
+    picture_and_clouds(frame, side, progress).0
+}
+
+/// The frame in linear light, before exposure, and its clouds alone, with `side` × `side` samples a pixel (at least one). `progress` hears
+/// the share done, 0 to 1, now and then and from any thread.
+pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sync)) -> (LinearPicture, Layer) {
     let (width, height) = (frame.view.width, frame.view.height);
     let sprites = prepare(frame);
     let places = places_in_scene(frame);
@@ -31,8 +36,32 @@ pub fn linear_picture(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sy
         progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / count as f32);
         pixels
     });
-    let pixels = assemble(&drawn, width, height, Rgb::BLACK);
-    LinearPicture { width, height, pixels }
+    let pixels = assemble(&drawn, width, height, Pixel::default());
+    let picture = LinearPicture { width, height, pixels: pixels.iter().map(|pixel| pixel.color).collect() };
+    (picture, Layer { width, height, pixels: pixels.into_iter().map(|pixel| pixel.clouds).collect() })
+}
+
+/// What a sample or a pixel shows.
+#[derive(Clone, Copy)]
+struct Pixel {
+    color: Rgb,
+    clouds: Premultiplied,
+}
+
+impl Default for Pixel {
+    fn default() -> Self {
+        Self { color: Rgb::BLACK, clouds: Premultiplied::CLEAR }
+    }
+}
+
+impl Pixel {
+    fn plus(self, other: Self) -> Self {
+        Self { color: self.color + other.color, clouds: self.clouds + other.clouds }
+    }
+
+    fn times(self, share: f32) -> Self {
+        Self { color: self.color * share, clouds: self.clouds * share }
+    }
 }
 
 /// Of each sprite in the list: its cloud and its number within it, which order fragments at one depth.
@@ -50,16 +79,16 @@ struct Tile<'a> {
 }
 
 impl Tile<'_> {
-    fn pixel(&self, x: u32, y: u32) -> Rgb {
+    fn pixel(&self, x: u32, y: u32) -> Pixel {
         let Self { side, .. } = *self;
         let spacing = 1.0 / side as f32;
         let at = |pixel: u32, i: u32| pixel as f32 + (i as f32 + 0.5) * spacing;
         let mut fragments = Vec::new();
         let samples = (0..side * side).map(|i| self.sample(at(x, i % side), at(y, i / side), spacing, &mut fragments));
-        samples.fold(Rgb::BLACK, |sum, sample| sum + sample) * (spacing * spacing)
+        samples.fold(Pixel::default(), Pixel::plus).times(spacing * spacing)
     }
 
-    fn sample(&self, x: f32, y: f32, spacing: f32, fragments: &mut Vec<(f32, [u32; 2], Premultiplied)>) -> Rgb {
+    fn sample(&self, x: f32, y: f32, spacing: f32, fragments: &mut Vec<(f32, [u32; 2], Premultiplied)>) -> Pixel {
         let view = &self.frame.view;
         fragments.clear();
         fragments.extend(self.members.iter().filter_map(|&member| {
@@ -77,6 +106,7 @@ impl Tile<'_> {
         for (_, _, fragment) in fragments.iter() {
             put_behind(&mut clouds, *fragment);
         }
-        clouds.over(self.frame.background.color(view.ray(x, y), view.pixel() * spacing))
+        let color = clouds.over(self.frame.background.color(view.ray(x, y), view.pixel() * spacing));
+        Pixel { color, clouds }
     }
 }

@@ -6,6 +6,27 @@
 //! article's listings, which step a state instead, are in [`crate::variants::SteppedFade`].
 
 use crate::scene::{Formation, FormationChange};
+use crate::variants::SteppedForming;
+
+/// By which rule clouds form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FormingRule {
+    /// The closed form ([`Formed::at`]).
+    #[default]
+    ClosedForm,
+    /// Kept for charts and tests.
+    Variant(SteppedForming),
+}
+
+impl FormingRule {
+    /// How far a cloud has formed at `clock_s`, seconds of the scene's clock; as [`Formed::at`].
+    pub fn formed(self, formation: Option<&Formation>, clock_s: f64) -> Formed {
+        match (self, formation) {
+            (Self::Variant(stepped), Some(formation)) => stepped.formed(formation, clock_s),
+            _ => Formed::at(formation, clock_s),
+        }
+    }
+}
 
 /// How far a cloud has formed, at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -43,7 +64,7 @@ impl Formed {
 
     /// Whether there is anything of it.
     pub fn shows(&self) -> bool {
-        self.core > 0.0
+        self.core > 0.0 || self.falloff < 0.0
     }
 }
 

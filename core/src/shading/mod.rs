@@ -7,7 +7,7 @@ mod formation;
 mod light;
 mod veil;
 
-pub use formation::Formed;
+pub use formation::{Formed, FormingRule};
 pub use light::{Light, sun_direction};
 pub use veil::{Veil, veil};
 

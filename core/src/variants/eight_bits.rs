@@ -1,7 +1,7 @@
 //! Blending into eight bits a channel, as screens had when the article was written: each sprite that covers a pixel
 //! rounds it again, and thin layers add up to bands, or to nothing.
 
-use crate::color::{Rgb, linear_from_srgb, srgb_from_linear};
+use crate::color::{Premultiplied, Rgb, linear_from_srgb, srgb_from_linear};
 use crate::frame::Frame;
 use crate::image::LinearPicture;
 use crate::raster::prepare;
@@ -21,16 +21,19 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
                 let at = (x as f32 + 0.5, y as f32 + 0.5);
                 if let Some((fragment, _)) = sprite.fragment(frame.atlas, at.0, at.1, |_| sprite.mip) {
                     let pixel = &mut pixels[(y * width + x) as usize];
-                    let exposed = Rgb::new(fragment.r, fragment.g, fragment.b) * frame.exposure;
-                    *pixel = stored(exposed + *pixel * (1.0 - fragment.a));
+                    *pixel = blended(fragment, *pixel, frame.exposure);
                 }
             }
         }
     }
     for pixel in &mut pixels {
-        *pixel = *pixel * (1.0 / frame.exposure);
+        *pixel = blended(frame.veil, *pixel, frame.exposure) * (1.0 / frame.exposure);
     }
     LinearPicture { width, height, pixels }
+}
+
+fn blended(fragment: Premultiplied, behind: Rgb, exposure: f32) -> Rgb {
+    stored(Rgb::new(fragment.r, fragment.g, fragment.b) * exposure + behind * (1.0 - fragment.a))
 }
 
 fn stored(color: Rgb) -> Rgb {

@@ -4,6 +4,9 @@
 //! text, and it leaves alpha unset when the fade is off. Mended in both, it still adds time steps to a state: what it
 //! reaches depends on the frame rate, and it overshoots.
 
+use crate::scene::{Formation, FormationChange};
+use crate::shading::Formed;
+
 /// Which of the two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Listing {
@@ -44,5 +47,50 @@ impl SteppedFade {
             Listing::Mended if !self.is_on => Some(self.alpha / 255.0),
             Listing::Mended => Some(((self.alpha - 255.0 * radii) / 255.0).max(0.0)),
         }
+    }
+
+    /// The same as what renderers draw, who clamp it; where it is left unset, nothing.
+    fn formed(&self) -> Formed {
+        let core = self.alpha / 255.0;
+        match (self.listing, self.is_on) {
+            (Listing::AsPrinted, false) => Formed { core: 0.0, falloff: 0.0 },
+            (Listing::AsPrinted, true) => Formed { core: core - 1.0, falloff: -1.0 },
+            (Listing::Mended, false) => Formed { core, falloff: 0.0 },
+            (Listing::Mended, true) => Formed { core, falloff: 1.0 },
+        }
+    }
+}
+
+/// A [`SteppedFade`] in place of the closed form.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SteppedForming {
+    /// Which of the two.
+    pub listing: Listing,
+    /// Frames a second, at least 1: what it reaches depends on them.
+    pub frames_a_second: u32,
+}
+
+impl SteppedForming {
+    /// At `clock_s`, stepped from when the cloud began. The article has one duration: from the first sprites to the last.
+    /// Dissipating it only names; here it is whole until it begins, and then steps back from what forming reaches.
+    pub(crate) fn formed(self, formation: &Formation, clock_s: f64) -> Formed {
+        let Formation { change, start_s, core_s, edges_s, threshold } = *formation;
+        let duration_s = core_s.max(threshold * core_s + edges_s);
+        let since_s = clock_s - start_s;
+        let run_s = match change {
+            FormationChange::Forming => since_s,
+            FormationChange::Dissipating if since_s < 0.0 => return Formed::WHOLE,
+            FormationChange::Dissipating => duration_s - since_s,
+        };
+        let mut fade = SteppedFade::new(self.listing);
+        let rate = f64::from(self.frames_a_second.max(1));
+        let mut steps = libm::floor(run_s * rate + 1e-6).max(0.0);
+        let delta_s = (1.0 / rate) as f32;
+        // A duration of zero is over after a step.
+        while steps > 0.0 && fade.is_on {
+            fade.step(delta_s, (duration_s as f32).max(f32::MIN_POSITIVE));
+            steps -= 1.0;
+        }
+        fade.formed()
     }
 }

@@ -3,7 +3,7 @@
 use super::{Look, Page, picture, reading};
 use crate::chart::columns::filled;
 use crate::chart::report::Method;
-use crate::chart::{Family, heat, text};
+use crate::chart::{Family, class, heat, text};
 use std::fmt::Write;
 
 /// No map's scale ends below this, or the noise of dither would glow.
@@ -60,10 +60,10 @@ fn card(
     out: &mut String,
 ) -> Result<(), png::EncodingError> {
     let family = page.family(method);
-    let _ = writeln!(out, r#"<article class="card {}" id="{}">"#, family.class(), Page::card_id(place));
+    let _ = writeln!(out, r#"<article class="card {}" id="{}">"#, class(family), Page::card_id(place));
     let _ = write!(out, "<h3>{}", text::escape(&method.name));
     if matches!(family, Family::Shipped | Family::Failing) {
-        let _ = write!(out, r#" <span class="badge {}">{}</span>"#, family.class(), family.name());
+        let _ = write!(out, r#" <span class="badge {}">{}</span>"#, class(family), family.name());
     }
     if method.on_front {
         out.push_str(r#" <span class="badge front">on the front</span>"#);

@@ -2,7 +2,7 @@
 
 use super::Page;
 use crate::chart::columns::{Column, filled};
-use crate::chart::text;
+use crate::chart::{class, text};
 use std::fmt::Write;
 
 /// The table; a click on a column's name sorts by it (`page.js`).
@@ -30,7 +30,7 @@ pub(super) fn write(page: &Page<'_>, out: &mut String) {
         let _ = write!(
             out,
             r##"<tr class="{}"><th scope="row"><a href="#{}">{}</a>{front}</th>"##,
-            page.family(method).class(),
+            class(page.family(method)),
             Page::card_id(place),
             text::escape(&method.name)
         );

@@ -3,7 +3,7 @@
 use super::frame;
 use super::labels::{self, Placed, Rect, Wanted};
 use super::{Mark, Sheet, text_width};
-use crate::chart::{Family, text};
+use crate::chart::{Family, class, text};
 use std::fmt::Write;
 
 /// Of a mark, in units of the text's size.
@@ -74,7 +74,7 @@ fn draw_mark(sheet: &Sheet<'_>, mark: &Mark<'_>, placed: &Placed, out: &mut Stri
         text::escape(sheet.plot.error_title)
     );
     shape(out, mark.family, sheet.at(mark.at), sheet.text * RADIUS);
-    let class = format!("halo {}", mark.family.class());
+    let class = format!("halo {}", class(mark.family));
     // The estimated width is the widest; text grows away from its mark, so that the gap is kept.
     let (rect, x) = (placed.rect, sheet.at(mark.at)[0]);
     let (at, anchor) = if rect.x > x {
@@ -93,7 +93,7 @@ fn draw_mark(sheet: &Sheet<'_>, mark: &Mark<'_>, placed: &Placed, out: &mut Stri
 
 /// A family's mark: truth a diamond, shipped a ringed disc, others a disc, failing a triangle.
 pub(super) fn shape(out: &mut String, family: Family, [x, y]: [f64; 2], radius: f64) {
-    let class = family.class();
+    let class = class(family);
     let polygon = |points: &[[f64; 2]]| {
         let points = points.iter().map(|[dx, dy]| format!("{:.1},{:.1}", x + dx * radius, y + dy * radius));
         format!(r#"<polygon class="mark {class}" points="{}"/>"#, points.collect::<Vec<_>>().join(" "))

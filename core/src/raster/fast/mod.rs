@@ -33,7 +33,7 @@ pub fn picture(frame: &Frame<'_>) -> Picture {
 /// As [`picture`], with pixels done when less than `stop_below` gets through ([`NEVER_STOP`]: never).
 pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
     if frame.fading.is_some() {
-        return develop(&linear_picture(frame), frame.exposure);
+        return develop(&linear_picture_stopping(frame, stop_below), frame.exposure);
     }
     let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [[u8; 4]]| {
@@ -46,18 +46,23 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
 
 /// The frame in linear light, before exposure.
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
-    faded(frame, linear_in_order, LinearPicture::mix)
+    linear_picture_stopping(frame, STOP_BELOW)
 }
 
-fn linear_in_order(frame: &Frame<'_>) -> LinearPicture {
+/// As [`linear_picture`], with pixels done when less than `stop_below` gets through.
+pub fn linear_picture_stopping(frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
+    faded(frame, |frame| linear_in_order(frame, stop_below), LinearPicture::mix)
+}
+
+fn linear_in_order(frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [Rgb]| {
-        let [r, g, b] = over_background(&background, (rect, row), clouds, STOP_BELOW, 1.0);
+        let [r, g, b] = over_background(&background, (rect, row), clouds, stop_below, 1.0);
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Rgb::new(r[x], g[x], b[x]);
         }
     };
-    let pixels = draw(&Brush::new(frame.atlas), frame, STOP_BELOW, Rgb::BLACK, finish);
+    let pixels = draw(&Brush::new(frame.atlas), frame, stop_below, Rgb::BLACK, finish);
     LinearPicture { width: frame.view.width, height: frame.view.height, pixels }
 }
 

@@ -1,0 +1,75 @@
+//! What one frame tells of a method, and what all of them come to.
+//!
+//! Along a path, frames lie at places spread over the whole flight; at each, the next frame is drawn too, and what has
+//! changed between the two is compared with the truth's own change. Every figure is kept by itself, so a run that was
+//! broken off goes on at the place where it stopped.
+
+use super::easel::Shot;
+use super::report::{Error, Figure, Method, Stability};
+use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip, linear_error, opacity_error};
+use serde::{Deserialize, Serialize};
+
+/// One frame by one method, against the truth.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FrameFigures {
+    /// Seconds since the path's start; 0 for a still.
+    pub at_s: f64,
+    /// Wall time of drawing it, once, for figures; what a method costs is measured apart, but for the truth.
+    pub drawn_ms: Figure,
+    /// What it gets wrong.
+    pub error: Error,
+    /// Mean excess change to the next frame; none for a still.
+    pub excess_mean: Figure,
+    /// What 999 of 1000 pixels don't exceed of it.
+    pub excess_p999: Figure,
+}
+
+impl FrameFigures {
+    /// Compares what a method drew with the truth: a frame, and along a path the next one.
+    pub fn of(at_s: f64, shots: &[Shot], truths: &[Shot]) -> Self {
+        let (Some(shot), Some(truth)) = (shots.first(), truths.first()) else { return Self::default() };
+        let errors = flip(&truth.picture, &shot.picture, PIXELS_PER_DEGREE).ok();
+        let opacity = truth.clouds.as_ref().zip(shot.clouds.as_ref()).and_then(|(a, b)| opacity_error(a, b).ok());
+        let mut stability = cloudwright_core::measure::Stability::new();
+        let steps =
+            shots.iter().zip(truths).filter_map(|(shot, truth)| stability.add(&shot.linear, &truth.linear).ok());
+        let changed = steps.flatten().last();
+        Self {
+            at_s,
+            drawn_ms: Some(shots.iter().map(|shot| shot.drawn_ms).sum::<f64>() / shots.len() as f64),
+            error: Error {
+                flip_mean: errors.as_ref().map(|map| map.mean()),
+                flip_p99: errors.as_ref().map(|map| map.percentile(0.99).into()),
+                rmse: linear_error(&truth.linear, &shot.linear).ok().map(|error| error.rmse),
+                opacity_max: opacity.map(|error| error.largest.into()),
+            },
+            excess_mean: changed.as_ref().map(|map| map.mean()),
+            excess_p999: changed.as_ref().map(|map| map.percentile(0.999).into()),
+        }
+    }
+}
+
+impl Method {
+    /// Sets `error` and `stability` to what the frames come to.
+    pub fn sum_up(&mut self) {
+        let all = |of: fn(&FrameFigures) -> Figure| self.frames.iter().filter_map(of).collect::<Vec<f64>>();
+        let most = |of| all(of).into_iter().reduce(f64::max);
+        self.error = Error {
+            flip_mean: mean(&all(|frame| frame.error.flip_mean)),
+            flip_p99: most(|frame| frame.error.flip_p99),
+            // Frames are of one size, so the mean of mean squares is that of all.
+            rmse: mean(&all(|frame| frame.error.rmse.map(|rmse| rmse * rmse))).map(f64::sqrt),
+            opacity_max: most(|frame| frame.error.opacity_max),
+        };
+        self.stability = most(|frame| frame.excess_mean).map(|worst| Stability {
+            excess_mean: mean(&all(|frame| frame.excess_mean)),
+            excess_p999: most(|frame| frame.excess_p999),
+            worst_frame: Some(worst),
+        });
+    }
+}
+
+/// None of none.
+pub(super) fn mean(values: &[f64]) -> Figure {
+    (!values.is_empty()).then(|| values.iter().sum::<f64>() / values.len() as f64)
+}

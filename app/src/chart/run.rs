@@ -1,0 +1,239 @@
+//! Measuring: the errors of all methods, place by place, then their times, round by round.
+//!
+//! Errors don't depend on the machine; they are measured once, and what an earlier run measured is kept. Times do: they
+//! are taken of all methods in turn, the first round not counted, so that a slow minute hits all alike, and medians
+//! count. If one is missing, all are taken anew. The truth is timed as it is drawn for the errors, once at each place.
+
+use super::easel::{Easel, Shot, Times};
+use super::frame_figures::{FrameFigures, mean};
+use super::gallery::Gallery;
+use super::report::{Cost, Counts, Figure, LeftOut, Method, Report};
+use super::subject::Subject;
+use crate::renderer::RenderError;
+use cloudwright_core::method::Renderer;
+
+/// Of the places along a path, so many at most are timed.
+const TIMED: usize = 4;
+/// How long the truth draws, in frames of another method: for the progress only.
+const TRUTH_WEIGHT: usize = 30;
+
+/// A chart that is being made.
+pub struct Run<'a> {
+    truth: Easel<'a>,
+    seats: Vec<Seat<'a>>,
+    places: Vec<Vec<f64>>,
+    repeat: usize,
+    /// All but the methods.
+    head: Report,
+    /// Hears the share done, 0 to 1.
+    progress: &'a dyn Fn(f32),
+    done: usize,
+    work: usize,
+}
+
+/// A method, and what is known of it.
+struct Seat<'a> {
+    easel: Easel<'a>,
+    figures: Method,
+    /// Of each round, at each place.
+    rounds: Vec<Vec<Times>>,
+}
+
+impl<'a> Run<'a> {
+    /// Of the methods at `easels`, each timed `repeat` times (at least once). `known` is the report's head, and has what
+    /// an earlier run measured of some of the methods.
+    pub fn new(
+        subject: &Subject<'_>,
+        truth: Easel<'a>,
+        easels: Vec<Easel<'a>>,
+        repeat: u32,
+        known: Report,
+        progress: &'a dyn Fn(f32),
+    ) -> Self {
+        let seat = |easel: Easel<'a>| {
+            let name = easel.method.name;
+            let found = known.methods.iter().find(|method| method.name == name).cloned();
+            let figures = found.unwrap_or_else(|| Method { name: name.into(), ..Method::default() });
+            Seat {
+                figures: Method { settings: easel.method.settings.in_words(), ..figures },
+                easel,
+                rounds: Vec::new(),
+            }
+        };
+        let seats: Vec<Seat<'_>> = easels.into_iter().map(seat).collect();
+        let (places, repeat) = (subject.places(), repeat.max(1) as usize);
+        let errors = places.len() * (TRUTH_WEIGHT + 2 * seats.len());
+        let work = errors + (repeat + 1) * TIMED.min(places.len()) * seats.len();
+        let head = Report { methods: Vec::new(), ..known };
+        Self { truth, seats, places, repeat, head, progress, done: 0, work }
+    }
+
+    /// What is known so far.
+    pub fn report(&self) -> Report {
+        let methods = self.seats.iter().map(|seat| seat.figures.clone()).collect();
+        let mut report = Report { methods, ..self.head.clone() };
+        report.mark_front();
+        report
+    }
+
+    /// Measures what errors and stability are not known yet; `keep` is called after each place.
+    ///
+    /// # Errors
+    /// Those of `keep`. The truth has none, since it needs no adapter.
+    pub fn measure_errors<E: From<RenderError>>(
+        &mut self,
+        keep: &mut dyn FnMut(&Report) -> Result<(), E>,
+    ) -> Result<(), E> {
+        for place in self.places.clone() {
+            let at_s = place.first().copied().unwrap_or_default();
+            let lacks = |seat: &Seat<'_>| !seat.figures.frames.iter().any(|frame| frame.at_s == at_s);
+            if self.seats.iter().any(lacks) {
+                self.head.unfinished = true;
+                let truths = shots(&mut self.truth, &place)?;
+                self.each(|seat| {
+                    if lacks(seat) {
+                        let drawn = if seat.is_truth() { truths.clone() } else { shots(&mut seat.easel, &place)? };
+                        seat.figures.frames.push(FrameFigures::of(at_s, &drawn, &truths));
+                        seat.figures.sum_up();
+                    }
+                    Ok(())
+                });
+                keep(&self.report())?;
+            }
+            self.advance(TRUTH_WEIGHT + 2 * self.seats.len());
+        }
+        Ok(())
+    }
+
+    /// Measures costs, if one is not known; `keep` is called after each round.
+    ///
+    /// # Errors
+    /// Those of `keep`.
+    pub fn measure_costs<E>(&mut self, keep: &mut dyn FnMut(&Report) -> Result<(), E>) -> Result<(), E> {
+        if !self.head.unfinished && self.seats.iter().all(|seat| seat.figures.cost.frame_ms.is_some()) {
+            return Ok(());
+        }
+        let firsts: Vec<f64> = self.places.iter().filter_map(|place| place.first().copied()).collect();
+        let timed: Vec<f64> = firsts.iter().copied().step_by(firsts.len().div_ceil(TIMED).max(1)).collect();
+        for round in 0..=self.repeat {
+            self.each(|seat| {
+                if round <= 1 {
+                    // What came before was to warm up.
+                    seat.rounds.clear();
+                }
+                seat.rounds.push(Vec::new());
+                Ok(())
+            });
+            for at_s in &timed {
+                self.each(|seat| seat.time(*at_s));
+                self.advance(self.seats.len());
+            }
+            self.head.unfinished = round < self.repeat;
+            self.each(|seat| {
+                let counts = if round == 0 { seat.counts(&timed) } else { seat.figures.cost.counts.clone() };
+                seat.figures.cost = Cost { counts, ..seat.cost() };
+                Ok(())
+            });
+            keep(&self.report())?;
+        }
+        Ok(())
+    }
+
+    /// Draws what the page shows: the middle place.
+    ///
+    /// # Errors
+    /// None, since the truth needs no adapter.
+    pub fn draw(&mut self) -> Result<Gallery, RenderError> {
+        let middle =
+            self.places.get(self.places.len() / 2).and_then(|place| place.first()).copied().unwrap_or_default();
+        let mut gallery = Gallery::new(self.truth.draw(middle)?.picture);
+        self.each(|seat| {
+            if !seat.is_truth() {
+                gallery.hang(seat.easel.method, seat.easel.draw(middle)?.picture);
+            }
+            Ok(())
+        });
+        Ok(gallery)
+    }
+
+    /// Does something for each method; one that fails is left out from here on.
+    fn each(&mut self, mut work: impl FnMut(&mut Seat<'_>) -> Result<(), RenderError>) {
+        let left_out = &mut self.head.left_out;
+        self.seats.retain_mut(|seat| match work(seat) {
+            Ok(()) => true,
+            Err(error) => {
+                left_out.push(LeftOut { name: seat.figures.name.clone(), reason: error.to_string() });
+                false
+            }
+        });
+    }
+
+    fn advance(&mut self, work: usize) {
+        self.done += work;
+        (self.progress)(self.done as f32 / self.work.max(1) as f32);
+    }
+}
+
+impl Seat<'_> {
+    fn is_truth(&self) -> bool {
+        self.easel.method.settings.renderer == Renderer::Truth
+    }
+
+    fn time(&mut self, at_s: f64) -> Result<(), RenderError> {
+        if !self.is_truth() {
+            let times = self.easel.time(at_s)?;
+            if let Some(round) = self.rounds.last_mut() {
+                round.push(times);
+            }
+        }
+        Ok(())
+    }
+
+    /// The median round's mean over its places.
+    fn cost(&self) -> Cost {
+        if self.is_truth() {
+            let drawn: Vec<f64> = self.figures.frames.iter().filter_map(|frame| frame.drawn_ms).collect();
+            return Cost { frame_ms: mean(&drawn), cpu_ms: mean(&drawn), ..Cost::default() };
+        }
+        let over_rounds = |of: &dyn Fn(&Times) -> Figure| {
+            let round = |times: &Vec<Times>| mean(&times.iter().filter_map(of).collect::<Vec<_>>());
+            median(self.rounds.iter().filter_map(round).collect())
+        };
+        Cost {
+            frame_ms: over_rounds(&|times| Some(times.frame_ms)),
+            cpu_ms: over_rounds(&|times| Some(times.cpu_ms)),
+            gpu_ms: over_rounds(&|times| times.gpu_ms),
+            counts: Counts::default(),
+        }
+    }
+
+    /// On average over the places.
+    fn counts(&mut self, timed: &[f64]) -> Counts {
+        let counted: Vec<_> = timed.iter().map(|at_s| self.easel.counts(*at_s)).collect();
+        let average = |of: &dyn Fn(&cloudwright_core::measure::Counts) -> f64| {
+            counted.iter().map(of).sum::<f64>() / counted.len().max(1) as f64
+        };
+        let whole = |of: &dyn Fn(&cloudwright_core::measure::Counts) -> u64| {
+            average(&|counts| of(counts) as f64).round() as u64
+        };
+        Counts {
+            sprites: whole(&|counts| counts.sprites),
+            corners_shaded: whole(&|counts| counts.corners_shaded),
+            fragments: Some(average(&|counts| counts.fragments as f64)),
+            overdraw_mean: Some(average(&|counts| counts.overdraw_mean)),
+            overdraw_p99: Some(average(&|counts| f64::from(counts.overdraw_p99))),
+            bytes_uploaded: whole(&|counts| counts.bytes_uploaded),
+            keys_sorted: whole(&|counts| counts.keys_sorted),
+        }
+    }
+}
+
+fn shots(easel: &mut Easel<'_>, place: &[f64]) -> Result<Vec<Shot>, RenderError> {
+    place.iter().map(|at_s| easel.draw(*at_s)).collect()
+}
+
+/// The upper one of two in the middle; none of none.
+fn median(mut values: Vec<f64>) -> Figure {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied()
+}

@@ -1,0 +1,77 @@
+//! What all methods of a chart draw: a scene from a camera, or along a path.
+
+use super::report::View;
+use cloudwright_core::derived::Derived;
+use cloudwright_core::flight::PathCurve;
+use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::scene::{Camera, CameraPath, Scene};
+use cloudwright_core::sprites::Atlas;
+
+/// From one frame of a flight to the next, seconds: 30 a second, as flights are drawn.
+pub const FRAME_S: f64 = 1.0 / 30.0;
+/// Places along a path. At each two frames are drawn by the truth, which takes most of a chart's time.
+const PLACES: usize = 8;
+
+/// From where.
+#[derive(Debug, Clone, Copy)]
+pub enum Eye<'a> {
+    /// A still.
+    Camera(&'a Camera),
+    /// A flight.
+    Path(&'a CameraPath),
+}
+
+impl Eye<'_> {
+    /// As the report says it.
+    pub fn view(&self) -> View {
+        match self {
+            Self::Camera(camera) => View::Camera(camera.name.clone()),
+            Self::Path(path) => View::Path(path.name.clone()),
+        }
+    }
+}
+
+/// A scene, and how it is looked at.
+#[derive(Debug, Clone, Copy)]
+pub struct Subject<'a> {
+    /// The scene.
+    pub scene: &'a Scene,
+    /// Its clouds.
+    pub derived: &'a Derived,
+    /// Its atlas.
+    pub atlas: &'a Atlas,
+    /// The shapes of its aircraft.
+    pub meshes: &'a Meshes,
+    /// From where.
+    pub eye: Eye<'a>,
+    /// Width and height, pixels.
+    pub size: [u32; 2],
+    /// Local civil hours.
+    pub time_h: f64,
+}
+
+impl Subject<'_> {
+    /// The moments to draw at each place, seconds of the flight: a frame and the next one; one alone for a still, or for
+    /// a flight that has no second frame.
+    pub fn places(&self) -> Vec<Vec<f64>> {
+        let Eye::Path(path) = self.eye else { return vec![vec![0.0]] };
+        // Roundings don't cost a path its last frame.
+        let steps = (PathCurve::new(path).duration_s() / FRAME_S + 1e-6).floor();
+        if steps < 1.0 {
+            return vec![vec![0.0]];
+        }
+        let count = PLACES.min(steps as usize);
+        let first = |place: usize| ((place as f64 + 0.5) / count as f64 * steps).floor().min(steps - 1.0);
+        (0..count).map(|place| [0.0, 1.0].map(|next| (first(place) + next) * FRAME_S).to_vec()).collect()
+    }
+
+    /// Whether the eye moves.
+    pub fn flies(&self) -> bool {
+        matches!(self.eye, Eye::Path(_))
+    }
+
+    /// Whether any of its clouds forms or dissipates.
+    pub fn forms(&self) -> bool {
+        self.derived.clouds().iter().any(|cloud| cloud.formation.is_some())
+    }
+}

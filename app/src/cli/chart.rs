@@ -1,0 +1,174 @@
+//! `cloudwright chart`: what each way to draw costs and gets wrong, for one scene.
+//!
+//! Writes `chart.html` and `chart.json` into a folder. The JSON is written after each step; a run that was broken off
+//! goes on where it stopped, if scene and options are the same.
+
+mod choice;
+mod known;
+
+use super::failure::Failure;
+use super::progress::Progress;
+use super::{answer, arguments, input, render, say};
+use crate::chart::easel::Easel;
+use crate::chart::report::Report;
+use crate::chart::run::Run;
+use crate::chart::subject::{Eye, Subject};
+use crate::chart::{front, html, report, text};
+use crate::{opening, storage};
+use cloudwright_core::derived::Derived;
+use cloudwright_core::method::{self, METHODS};
+use cloudwright_core::scene::Scene;
+use cloudwright_render::AdapterChoice;
+use std::fmt::Write;
+use std::path::PathBuf;
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = help())]
+pub(super) struct Arguments {
+    /// Scene to draw
+    scene: PathBuf,
+    /// Folder to write chart.html and chart.json to
+    #[arg(short, long, value_name = "DIR")]
+    output: PathBuf,
+    /// Draw a still from the camera of this name
+    #[arg(long, value_name = "NAME", conflicts_with = "path")]
+    camera: Option<String>,
+    /// Fly along the path of this name; without --camera and --path the scene's first path, or its first camera
+    #[arg(long, value_name = "NAME")]
+    path: Option<String>,
+    /// Methods by name, with commas between; all that make a difference if not given
+    #[arg(long, value_name = "A,B,…", value_delimiter = ',')]
+    methods: Vec<String>,
+    /// Width and height in pixels
+    #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = arguments::picture_size)]
+    size: [u32; 2],
+    /// Time of day; the scene's if not given
+    #[arg(long, value_name = "HH:MM", value_parser = arguments::time_of_day)]
+    time: Option<f64>,
+    /// How often each method is timed, 1 to 100; the median counts
+    #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
+    repeat: u32,
+    /// Mean FLIP that is good enough, 0 to 1: the cheapest method within it is named
+    #[arg(long, value_name = "X", default_value_t = html::DEFAULT_TOLERANCE, value_parser = arguments::share)]
+    tolerance: f64,
+    /// Answer with what is in chart.json
+    #[arg(long)]
+    json: bool,
+}
+
+fn help() -> String {
+    let mut help = "Examples:
+  cloudwright chart fair_weather.cloudscene -o chart
+  cloudwright chart overcast.cloudscene -o chart --camera within --size 960x540
+  cloudwright chart overcast.cloudscene -o chart --methods truth,fast,half,quarter --tolerance 0.01
+
+Along a path, errors are measured at eight places spread over it, and at each the change to the next of 30 frames a
+second. A run that was broken off goes on when it is started again with the same scene and options.
+
+Methods:\n"
+        .to_owned();
+    for method in METHODS {
+        let _ = writeln!(help, "  {:<19} {}", method.name, method.about);
+    }
+    help
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    render::check_memory(arguments.size, 2)?;
+    let (scene, beside) = opening::open(&arguments.scene)?;
+    let eye = eye(&scene, arguments)?;
+    let derived = Derived::new(&scene);
+    if derived.clouds().iter().all(|cloud| cloud.sprites.is_empty()) {
+        let what = format!("{}: clouds: there are no sprites, so all methods draw the same", arguments.scene.display());
+        return Err(Failure::argument(what, "add a cloud, with boxes in its model"));
+    }
+    let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
+    let (atlas, meshes) = (beside.sheet(), beside.meshes());
+    let subject = Subject { scene: &scene, derived: &derived, atlas, meshes, eye, size: arguments.size, time_h };
+    let (easels, left_out) = choice::easels(&subject, &arguments.methods)?;
+    let adapters: Vec<String> = easels.iter().filter_map(Easel::adapter).collect();
+    let head = Report {
+        scene: scene.name.clone(),
+        size: arguments.size,
+        adapter: adapters.into_iter().next().unwrap_or_else(|| "CPU".into()),
+        view: Some(eye.view()),
+        left_out,
+        input: known::input(&arguments.scene, &subject)?,
+        ..Report::default()
+    };
+    storage::make_folder(&arguments.output)?;
+    let [json, page] = ["chart.json", "chart.html"].map(|name| arguments.output.join(name));
+    [&json, &page].into_iter().try_for_each(|file| storage::check_writable(file))?;
+    let known = known::read(&json, head)?;
+    for left_out in &known.left_out {
+        say(&opening::one_line(&format!("left out: {}: {}", left_out.name, left_out.reason)));
+    }
+
+    let progress = Progress::start("charting");
+    let hear = |share| progress.set(share);
+    let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?;
+    let mut run = Run::new(&subject, truth, easels, arguments.repeat, known, &hear);
+    let mut keep = |report: &Report| write_report(&json, report);
+    run.measure_errors(&mut keep)?;
+    let gallery = run.draw()?;
+    let write_page = |report: &Report| {
+        let looks = gallery.looks();
+        let text =
+            html::write(&html::Page { report, truth: &gallery.truth, looks: &looks, tolerance: arguments.tolerance })
+                .map_err(|error| {
+                Failure::could_not(format!("the page can't be packed: {error}"), "try a smaller --size")
+            })?;
+        Ok::<(), Failure>(storage::write_atomic(&page, text.as_bytes()).map(drop)?)
+    };
+    write_page(&run.report())?;
+    run.measure_costs(&mut keep)?;
+    let report = run.report();
+    keep(&report)?;
+    write_page(&report)?;
+    drop(progress);
+    if arguments.json {
+        return answer(&json_text(&report)?);
+    }
+    answer(&in_words(&report, arguments.tolerance))?;
+    say(&format!("chart: {}", page.display()));
+    Ok(())
+}
+
+fn eye<'a>(scene: &'a Scene, arguments: &Arguments) -> Result<Eye<'a>, Failure> {
+    let file = &arguments.scene;
+    match (&arguments.camera, &arguments.path) {
+        (None, Some(name)) => Ok(Eye::Path(input::path(scene, file, name)?)),
+        (None, None) if let Some(path) = scene.paths.iter().find(|path| path.keys.len() > 1) => Ok(Eye::Path(path)),
+        (name, _) => Ok(Eye::Camera(input::camera(scene, file, name.as_deref())?)),
+    }
+}
+
+fn json_text(report: &Report) -> Result<String, Failure> {
+    report::write(report)
+        .map_err(|error| Failure::could_not(format!("the report can't be said: {error}"), "report this"))
+}
+
+fn write_report(file: &std::path::Path, report: &Report) -> Result<(), Failure> {
+    storage::write_atomic(file, json_text(report)?.as_bytes())?;
+    Ok(())
+}
+
+/// A line for each method, from cheap to dear, and which one to take.
+fn in_words(report: &Report, tolerance: f64) -> String {
+    let mut methods: Vec<_> = report.methods.iter().collect();
+    let cost = |method: &report::Method| method.cost.frame_ms.unwrap_or(f64::INFINITY);
+    methods.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
+    let mut out = format!("{:<20}{:>10}{:>12}{:>15}\n", "method", "ms", "FLIP", "excess change");
+    for method in methods {
+        let excess = method.stability.as_ref().and_then(|stability| stability.excess_mean);
+        let [ms, error, excess] = [method.cost.frame_ms, method.error.flip_mean, excess].map(text::figure);
+        let front = if method.on_front { "  front" } else { "" };
+        let _ = writeln!(out, "{:<20}{ms:>10}{error:>12}{excess:>15}{front}", method.name);
+    }
+    let cheapest = front::cheapest_within(&report.methods, tolerance);
+    let _ = match cheapest {
+        Some(method) => writeln!(out, "cheapest within FLIP {tolerance}: {}", method.name),
+        None => writeln!(out, "no method keeps within FLIP {tolerance}"),
+    };
+    out
+}

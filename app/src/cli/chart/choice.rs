@@ -1,0 +1,44 @@
+//! Which methods a chart is of, and why others are not.
+
+use crate::chart::easel::Easel;
+use crate::chart::report::LeftOut;
+use crate::chart::subject::Subject;
+use crate::cli::failure::Failure;
+use cloudwright_core::method::{self, METHODS, Method};
+use cloudwright_render::AdapterChoice;
+
+/// Those of the names `asked` for, or all that make a difference; ready to draw, and what is left out.
+pub(super) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> Result<(Vec<Easel<'a>>, Vec<LeftOut>), Failure> {
+    let (mut easels, mut left_out): (Vec<Easel<'a>>, Vec<LeftOut>) = Default::default();
+    let all: Vec<String> = METHODS.iter().map(|method| method.name.to_owned()).collect();
+    // A program that plays a GPU is worth a look only to someone who asks for it.
+    let (names, adapter) =
+        if asked.is_empty() { (&all[..], AdapterChoice::HardwareOnly) } else { (asked, AdapterChoice::Any) };
+    for name in names.iter().map(|name| name.trim()) {
+        if easels.iter().any(|easel| easel.method.name == name) || left_out.iter().any(|one| one.name == name) {
+            continue;
+        }
+        match easel(subject, name, &adapter) {
+            Ok(easel) => easels.push(easel),
+            Err(reason) => left_out.push(LeftOut { name: name.into(), reason }),
+        }
+    }
+    if easels.is_empty() {
+        let reasons: Vec<String> = left_out.iter().map(|one| format!("{}: {}", one.name, one.reason)).collect();
+        let what = format!("--methods: none is left: {}", reasons.join("; "));
+        return Err(Failure::argument(crate::opening::one_line(&what), "leave --methods out for all that make sense"));
+    }
+    Ok((easels, left_out))
+}
+
+fn easel<'a>(subject: &Subject<'a>, name: &str, adapter: &AdapterChoice) -> Result<Easel<'a>, String> {
+    let unknown = || {
+        let names: Vec<&str> = METHODS.iter().map(|method: &Method| method.name).collect();
+        format!("there is no such method (the methods are {})", names.join(", "))
+    };
+    let method = method::named(name).ok_or_else(unknown)?;
+    match method.settings.without_effect(subject.flies(), subject.forms()) {
+        Some(reason) => Err(format!("it would draw what “{}” draws: {reason}", method::shipped().name)),
+        None => Easel::new(*subject, method, adapter).map_err(|error| error.to_string()),
+    }
+}

@@ -1,0 +1,135 @@
+//! The table of methods: a row each.
+
+use super::{Family, Method, Renderer, Settings};
+use crate::draw_list::Sorting;
+use crate::facing::FacingRule;
+use crate::raster::Filter;
+use crate::raster::fast::NEVER_STOP;
+use crate::raster::truth::SIDE;
+use crate::shading::FormingRule;
+use crate::variants::{FacingVariant, LazySorting, Listing, SteppedForming};
+
+const OURS: Settings = Settings::SHIPPED;
+
+/// The row of the truth.
+pub(super) const TRUTH: Method = Method {
+    name: "truth",
+    about: "The fragments of 16 rays a pixel, each ray's in their own order.",
+    family: Family::Truth,
+    settings: Settings { renderer: Renderer::Truth, samples_side: SIDE, ..OURS },
+};
+
+/// The row of what is shipped.
+pub(super) const SHIPPED: Method = Method {
+    name: "fast",
+    about: "What Cloudwright draws with on the CPU: sorted each frame, one sample a pixel, done where nothing more shows.",
+    family: Family::Shipped,
+    settings: OURS,
+};
+
+/// All methods: the truth, what is shipped, what else is worth a look, what is known to fail.
+pub const METHODS: &[Method] = &[
+    TRUTH,
+    SHIPPED,
+    other("gpu", "The same by a graphics adapter, in 16-bit floats.", with(Renderer::Gpu)),
+    other(
+        "plain",
+        "One fragment after the other on one core: what the fast way is tested against.",
+        with(Renderer::Plain),
+    ),
+    other(
+        "four-samples",
+        "The fast way at twice the width and height, averaged in linear light.",
+        Settings { samples_side: 2, ..OURS },
+    ),
+    other(
+        "crossfade",
+        "The order is kept for half a second and faded over to the next, as Wang suggests: nothing pops, but the order is \
+         old, and two are drawn.",
+        Settings { sorting: Sorting::Crossfade, ..OURS },
+    ),
+    other("no-stop", "The fast way to the last sprite, hidden or not.", fast(NEVER_STOP)),
+    other(
+        "early-stop",
+        "A pixel is done when less than a sixteenth of what lies behind gets through.",
+        fast(1.0 / 16.0),
+    ),
+    other(
+        "three-quarters",
+        "Of each cloud the quarter of the sprites that cover least is left out.",
+        Settings { kept: 0.75, ..OURS },
+    ),
+    other("half", "Of each cloud the half of the sprites that cover most.", Settings { kept: 0.5, ..OURS }),
+    other("quarter", "Of each cloud the quarter of the sprites that cover most.", Settings { kept: 0.25, ..OURS }),
+    failing(
+        "no-mips",
+        "Texels of the finest level only: what is far steps over most of them and shimmers.",
+        Settings { filter: Filter::FinestLevel, ..OURS },
+    ),
+    failing(
+        "eight-bits",
+        "Every sprite is blended into 8 bits a channel: roundings add up to bands. Its time is that of a plain loop.",
+        with(Renderer::EightBits),
+    ),
+    failing(
+        "view-plane",
+        "Sprites lie across the view direction instead of facing the eye: all turn when the head does.",
+        facing(FacingVariant::ViewPlane),
+    ),
+    failing("no-lock", "Sprites always face the eye: near ones spin as it passes.", facing(FacingVariant::NoLock)),
+    failing(
+        "lock-without-fade",
+        "Near sprites are locked but not faded: they are seen edge on, and snap back.",
+        facing(FacingVariant::LockWithoutFade),
+    ),
+    failing(
+        "dot-product",
+        "Near sprites are locked and fade by the dot product that Wang writes: it jumps where the eye passes a centre.",
+        facing(FacingVariant::WangsDotProduct),
+    ),
+    failing(
+        "lazy-skyworks",
+        "Sorted again after 10 m of travel or 36.9° of turn, as SkyWorks does: late, then all at once.",
+        Settings { sorting: Sorting::Variant(LazySorting::SkyWorks), ..OURS },
+    ),
+    failing(
+        "lazy-simgear",
+        "One pass of bubble sort a frame, as SimGear does: the order lags behind.",
+        Settings { sorting: Sorting::Variant(LazySorting::SimGear), ..OURS },
+    ),
+    failing(
+        "stepped-as-printed",
+        "Forming by the article's listing as printed: the core fades first, and a whole cloud is left unset.",
+        stepped(Listing::AsPrinted),
+    ),
+    failing(
+        "stepped-mended",
+        "Forming by the article's listing, mended but stepped: it depends on the frame rate.",
+        stepped(Listing::Mended),
+    ),
+];
+
+const fn other(name: &'static str, about: &'static str, settings: Settings) -> Method {
+    Method { name, about, family: Family::Other, settings }
+}
+
+const fn failing(name: &'static str, about: &'static str, settings: Settings) -> Method {
+    Method { name, about, family: Family::Failing, settings }
+}
+
+const fn with(renderer: Renderer) -> Settings {
+    Settings { renderer, ..OURS }
+}
+
+const fn fast(stop_below: f32) -> Settings {
+    with(Renderer::Fast { stop_below })
+}
+
+const fn facing(variant: FacingVariant) -> Settings {
+    Settings { facing: FacingRule::Variant(variant), ..OURS }
+}
+
+/// At the 30 frames a second that flights are drawn at.
+const fn stepped(listing: Listing) -> Settings {
+    Settings { forming: FormingRule::Variant(SteppedForming { listing, frames_a_second: 30 }), ..OURS }
+}
