@@ -81,6 +81,13 @@ impl<Request: Send + 'static, Answer: Send + 'static> Latest<Request, Answer> {
     }
 }
 
+/// All cores but one, which is the window's. None if the system gives no threads.
+pub(crate) fn pool_beside_the_window(name: &'static str) -> Option<rayon::ThreadPool> {
+    let cores = thread::available_parallelism().map_or(1, usize::from);
+    let threads = cores.saturating_sub(1).max(1);
+    rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(move |i| format!("{name} {i}")).build().ok()
+}
+
 fn serve<Request, Answer>(
     slot: &Slot<Request>,
     answers: &Sender<Answer>,

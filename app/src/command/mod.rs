@@ -154,6 +154,7 @@ commands! {
         NewGroup: "New shading group", "Put the selected boxes or sprites into a shading group of their own.", ctrl(Key::G), Some(icon::CIRCLES_THREE_PLUS);
         Ungroup: "Leave the group", "Give the selected boxes or sprites their own groups back.", ctrl_shift(Key::G), None;
         AutoGroup: "Group automatically", "Split the selected model's sprites into shading groups of at most 30.", NONE, Some(icon::MAGIC_WAND);
+        ThinOut: "Thin out…", "Drop the sprites that the scene can do without.", NONE, None;
         CopyLevels: "Copy colour levels", "Keep the selected model's colour levels for pasting.", NONE, None;
         PasteLevels: "Paste colour levels", "Give the selected models the colour levels that were copied.", NONE, None;
     }

@@ -32,8 +32,7 @@ impl Editor {
 
     /// Esc takes the nearest thing back: a dialog, a text, a gesture and a flight by hand come before.
     fn escape_is_for_the_clock(&self, context: &egui::Context) -> bool {
-        let asks = self.dialogs.is_open() || self.palette.is_some() || self.place_many.is_some();
-        let taken = asks || self.gesture_dropped || self.viewport.has_keys() || context.text_edit_focused();
+        let taken = self.is_asking() || self.gesture_dropped || self.viewport.has_keys() || context.text_edit_focused();
         let runs = self.clock.plays() || self.viewport.is_on_board();
         runs && !taken && context.input(|input| input.key_pressed(egui::Key::Escape))
     }

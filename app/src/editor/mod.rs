@@ -23,6 +23,7 @@ mod save_flow;
 mod selection;
 mod session;
 mod starter;
+mod thinning;
 mod time_play;
 mod toasts;
 mod view;
@@ -57,6 +58,7 @@ use place_many::PlaceMany;
 use recording::Recording;
 use std::cell::RefCell;
 use std::path::PathBuf;
+use thinning::Thinning;
 use toasts::Toasts;
 
 /// The editor: an open document, how it is looked at, and what is being asked.
@@ -67,6 +69,7 @@ pub struct Editor {
     layout: Layout,
     palette: Option<Palette>,
     place_many: Option<PlaceMany>,
+    thinning: Option<Thinning>,
     time_play: TimePlay,
     clock: Clock,
     recording: Option<Recording>,
@@ -115,6 +118,7 @@ impl Editor {
             layout: Layout::default(),
             palette: None,
             place_many: None,
+            thinning: None,
             time_play: TimePlay::default(),
             clock: Clock::default(),
             recording: None,
@@ -166,6 +170,12 @@ impl Editor {
     pub fn select(&mut self, selection: Selection) {
         self.view.selection = selection;
         self.view.keep_what_is_in(self.session.scene());
+    }
+
+    /// Whether something before the window waits for an answer.
+    fn is_asking(&self) -> bool {
+        let asks = self.palette.is_some() || self.place_many.is_some() || self.thinning.is_some();
+        asks || self.dialogs.is_open()
     }
 
     pub(crate) fn tell(&mut self, text: impl Into<String>) {
@@ -270,8 +280,7 @@ impl eframe::App for Editor {
         self.run_time(&context);
         self.run_clock(&context);
         let mut actions: Vec<Action> = Vec::new();
-        let asks = self.dialogs.is_open() || self.palette.is_some() || self.place_many.is_some();
-        if !asks && !self.viewport.has_keys() {
+        if !self.is_asking() && !self.viewport.has_keys() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
         actions.extend(self.panels(ui));
@@ -283,6 +292,7 @@ impl eframe::App for Editor {
         dialogs::show_drop_target(&context);
         self.show_palette(&context);
         self.show_place_many(&context);
+        self.show_thinning(&context);
         self.toasts.show(&context);
         self.show_title(&context);
         self.autosave(&context);

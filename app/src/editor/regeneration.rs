@@ -4,7 +4,7 @@
 //! shows something now and then. The thread starts with the first work and has a pool of its own, which leaves a core
 //! and the common pool to the window and its pictures.
 
-use crate::worker::Latest;
+use crate::worker::{self, Latest};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
 use cloudwright_core::scene::Scene;
@@ -93,7 +93,7 @@ impl Regeneration {
     fn begin(&mut self, wish: Wish, context: &egui::Context) {
         if self.worker.is_none() {
             let wake = context.clone();
-            let pool = pool();
+            let pool = worker::pool_beside_the_window("clouds");
             let work = move |(wish, watch): (Wish, Arc<Watch>)| {
                 let compute = || wish.before.plan(&wish.scene, &wish.change).carry_out(&watch);
                 pool.as_ref().map_or_else(compute, |pool| pool.install(compute))
@@ -114,11 +114,4 @@ impl Drop for Regeneration {
     fn drop(&mut self) {
         self.abandon();
     }
-}
-
-/// All cores but one.
-fn pool() -> Option<rayon::ThreadPool> {
-    let cores = std::thread::available_parallelism().map_or(1, usize::from);
-    let threads = cores.saturating_sub(1).max(1);
-    rayon::ThreadPoolBuilder::new().num_threads(threads).thread_name(|i| format!("clouds {i}")).build().ok()
 }

@@ -26,6 +26,7 @@ mod progress;
 mod shading_groups;
 mod sky;
 mod status;
+mod thinning;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use fields::{name_it, number_field};
@@ -33,6 +34,7 @@ pub(crate) use palette::Palette;
 pub(crate) use place_many::{ask_place_many, default_places};
 pub use preset_gallery::{category_gallery, preset_gallery};
 pub(crate) use status::status;
+pub(crate) use thinning::{THINNING_TOLERANCE, ThinAnswer, ask_thinning};
 
 use crate::editor::{Action, Clock, Session, TimePlay, ViewState};
 use crate::theme::icon;

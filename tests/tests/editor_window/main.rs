@@ -18,6 +18,7 @@ mod on_disk;
 mod paths_in_view;
 mod recovery;
 mod remembering;
+mod thinning;
 mod tools;
 mod viewing;
 mod walk;

@@ -92,6 +92,7 @@ impl Editor {
                 selection.model(scene).is_some()
             }
             Command::CopyLevels => selection.model(scene).is_some(),
+            Command::ThinOut => !scene.clouds.is_empty(),
             Command::PasteLevels => selection.model(scene).is_some() && self.copied_levels.is_some(),
             Command::DuplicateOwn | Command::MakeOwn => clouds > 0,
             Command::MirrorX | Command::MirrorY | Command::MirrorZ => boxes > 0 || clouds > 0,
@@ -168,6 +169,7 @@ impl Editor {
             Command::AddPreset => self.dialogs.open(Dialog::Preset),
             Command::PlaceModel => self.place_model(),
             Command::PlaceMany => self.ask_place_many(),
+            Command::ThinOut => self.ask_thinning(),
             Command::AddBox => self.add_box(),
             Command::AddCamera => self.add_camera(),
             Command::NewGroup => self.new_group(),
