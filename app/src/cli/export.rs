@@ -6,6 +6,7 @@ use super::{arguments, input};
 use crate::{opening, storage};
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::formats::sprites_json::Shaded;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
 use cloudwright_core::shading::Light;
 use std::path::{Path, PathBuf};
@@ -27,6 +28,9 @@ pub(super) struct Arguments {
     /// Time of day of the light; the scene's if not given
     #[arg(long, value_name = "HH:MM", requires = "shaded", value_parser = arguments::time_of_day)]
     time: Option<f64>,
+    /// Seconds of the scene's clock: how far clouds have formed
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, requires = "shaded", value_parser = arguments::seconds)]
+    at: f64,
     /// Camera that the sprites face; the scene's first if not given
     #[arg(long, value_name = "NAME", requires = "shaded")]
     camera: Option<String>,
@@ -50,7 +54,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     input::check_output(&arguments.scene, &arguments.output)?;
     let _progress = Progress::start("exporting");
     let derived = Derived::new(&scene);
-    let shaded = shaded.as_ref().map(|(view, light)| (view, light));
+    let shaded = shaded.as_ref().map(|(view, light)| Shaded { view, light, clock_s: arguments.at });
     let text = match format {
         Format::Json => sprites_json::write(derived.clouds(), shaded)
             .map_err(|error| Failure::could_not(format!("the sprites can't be written: {error}"), "report this"))?,

@@ -2,19 +2,18 @@
 //!
 //! Units and order as in [`super::sprites_json`]. With light, the four corners' colours follow, each as four columns.
 
-use crate::camera::View;
+use super::sprites_json::Shaded;
 use crate::color::Rgba;
 use crate::draw_list::eye_offset;
 use crate::facing::{Pose, corners};
-use crate::shading::{Formed, Light, corner_light};
+use crate::shading::{Formed, corner_light};
 use crate::sprites::PlacedCloud;
 use std::fmt::Write;
 
 const CORNER_NAMES: [&str; 4] = ["top_left", "top_right", "bottom_right", "bottom_left"];
 
-/// All `clouds` as comma-separated text with a line of heads. With `shaded`, corner colours as that view's eye sees
-/// them in that light.
-pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> String {
+/// All `clouds` as comma-separated text with a line of heads. With `shaded`, corner colours as that eye sees them.
+pub fn write(clouds: &[PlacedCloud], shaded: Option<Shaded<'_>>) -> String {
     let mut out = String::from("cloud,name,category,box,index,x,y,z,width,height,rotation_deg,tile,group");
     if shaded.is_some() {
         for name in CORNER_NAMES {
@@ -45,9 +44,9 @@ pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> String 
                 sprite.tile,
                 group.key
             );
-            if let Some((view, light)) = shaded {
+            if let Some(Shaded { view, light, clock_s }) = shaded {
                 let pose = Pose::still(eye_offset(cloud, view) + sprite.position, sprite.radius(), view);
-                let formed = Formed::at(cloud.formation.as_ref(), 0.0);
+                let formed = Formed::at(cloud.formation.as_ref(), clock_s);
                 for point in corners(sprite.position, pose.facing(sprite.rotation), sprite.width, sprite.height) {
                     let Rgba { rgb, a } = corner_light(point, cloud, group, light, &formed).color();
                     let _ = write!(out, ",{},{},{},{}", rgb.r, rgb.g, rgb.b, a * pose.fade);

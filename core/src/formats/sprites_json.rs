@@ -61,13 +61,24 @@ struct CornerOut {
     color: Rgba,
 }
 
-/// All `clouds` as text. With `shaded`, each sprite has its corners as that view's eye sees them in that light.
+/// How corners are seen, for both formats.
+#[derive(Debug, Clone, Copy)]
+pub struct Shaded<'a> {
+    /// Which eye the sprites face.
+    pub view: &'a View,
+    /// The light on them.
+    pub light: &'a Light,
+    /// Seconds of the scene's clock: how far clouds have formed.
+    pub clock_s: f64,
+}
+
+/// All `clouds` as text. With `shaded`, each sprite has its corners as that eye sees them.
 ///
 /// # Errors
 /// None in practice: every number of a placed cloud is finite.
-pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> Result<String, serde_json::Error> {
+pub fn write(clouds: &[PlacedCloud], shaded: Option<Shaded<'_>>) -> Result<String, serde_json::Error> {
     let mut head = vec![("format", "cloudwright-sprites".into()), ("version", 1.into())];
-    if let Some((_, light)) = shaded {
+    if let Some(Shaded { light, .. }) = shaded {
         let light = LightOut {
             time: crate::math::clock(light.time_h),
             sun_direction: light.sun_direction.to_array().map(shortest_f64),
@@ -84,11 +95,7 @@ pub fn write(clouds: &[PlacedCloud], shaded: Option<(&View, &Light)>) -> Result<
     Ok(out)
 }
 
-fn write_cloud(
-    out: &mut String,
-    cloud: &PlacedCloud,
-    shaded: Option<(&View, &Light)>,
-) -> Result<(), serde_json::Error> {
+fn write_cloud(out: &mut String, cloud: &PlacedCloud, shaded: Option<Shaded<'_>>) -> Result<(), serde_json::Error> {
     let levels = cloud.color_levels.map(|ColorLevel { height, color }| LevelOut { height, rgba: color });
     let groups: Vec<GroupOut> = cloud.groups.iter().map(|group| group_out(cloud, group)).collect();
     let altitude = |y: f32| ten_thousandths(cloud.origin.y + f64::from(y));
@@ -114,7 +121,7 @@ fn group_out(cloud: &PlacedCloud, group: &Group) -> GroupOut {
     GroupOut { id: group.key.to_string(), center: in_world(cloud, group.center), c_min, c_med, c_max }
 }
 
-fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<(&View, &Light)>) -> SpriteOut {
+fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<Shaded<'_>>) -> SpriteOut {
     let group = &cloud.groups[sprite.group as usize];
     SpriteOut {
         box_id: sprite.box_id,
@@ -125,14 +132,15 @@ fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<(&View, &Ligh
         rotation_deg: shortest_f64(sprite.rotation.to_degrees()),
         tile: sprite.tile,
         group: group.key.to_string(),
-        corners: shaded.map(|(view, light)| corners_out(cloud, sprite, group, view, light)),
+        corners: shaded.map(|shaded| corners_out(cloud, sprite, group, shaded)),
     }
 }
 
-fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, view: &View, light: &Light) -> [CornerOut; 4] {
+fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, shaded: Shaded<'_>) -> [CornerOut; 4] {
+    let Shaded { view, light, clock_s } = shaded;
     let center = crate::draw_list::eye_offset(cloud, view) + sprite.position;
     let pose = Pose::still(center, sprite.radius(), view);
-    let formed = Formed::at(cloud.formation.as_ref(), 0.0);
+    let formed = Formed::at(cloud.formation.as_ref(), clock_s);
     corners(sprite.position, pose.facing(sprite.rotation), sprite.width, sprite.height).map(|point| {
         let mut lit = corner_light(point, cloud, group, light, &formed);
         lit.ambient.a *= pose.fade;

@@ -2,7 +2,9 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::formats::sprites_json::Shaded;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
+use cloudwright_core::scene::Formation;
 use cloudwright_core::shading::Light;
 use cloudwright_tests::small_scenes::heap;
 use glam::DVec3;
@@ -17,7 +19,8 @@ fn shaded_heap() -> (Value, DVec3) {
     let derived = Derived::new(&scene);
     let view = View::new(&scene.cameras[0], 1280, 720);
     let light = Light::at(&scene, 17.5);
-    let text = sprites_json::write(derived.clouds(), Some((&view, &light))).expect("finite");
+    let text = sprites_json::write(derived.clouds(), Some(Shaded { view: &view, light: &light, clock_s: 0.0 }))
+        .expect("finite");
     (serde_json::from_str(&text).expect("JSON"), scene.cameras[0].position)
 }
 
@@ -97,6 +100,25 @@ fn a_table_has_a_line_a_sprite() {
     assert!(text.lines().nth(1).expect("a sprite").contains("\"odd, \"\"name\"\"\""));
     let view = View::new(&scene.cameras[0], 100, 100);
     let light = Light::at(&scene, 12.0);
-    let shaded = sprites_csv::write(derived.clouds(), Some((&view, &light)));
+    let shaded = sprites_csv::write(derived.clouds(), Some(Shaded { view: &view, light: &light, clock_s: 0.0 }));
     assert_eq!(shaded.lines().next().map(|head| head.split(',').count()), Some(13 + 16));
+}
+
+/// A cloud that forms from 10 s to 20 s is clear before, and whole after.
+#[test]
+fn corners_are_as_far_as_the_cloud_has_formed() {
+    let mut scene = heap(20);
+    scene.clouds[0].formation =
+        Some(Formation { start_s: 10.0, core_s: 5.0, edges_s: 5.0, threshold: 1.0, ..Formation::default() });
+    let derived = Derived::new(&scene);
+    let (view, light) = (View::new(&scene.cameras[0], 100, 100), Light::at(&scene, 12.0));
+    let largest_alpha = |clock_s: f64| {
+        let shaded = Some(Shaded { view: &view, light: &light, clock_s });
+        let text = sprites_csv::write(derived.clouds(), shaded);
+        let alphas = text.lines().skip(1).filter_map(|line| line.rsplit(',').next()?.parse::<f32>().ok());
+        alphas.fold(0.0, f32::max)
+    };
+    assert_eq!(largest_alpha(10.0), 0.0);
+    assert!(largest_alpha(14.0) > 0.0 && largest_alpha(14.0) < largest_alpha(20.0), "{}", largest_alpha(14.0));
+    assert_eq!(largest_alpha(20.0), largest_alpha(1e6));
 }
