@@ -12,12 +12,12 @@ use cloudwright_core::draw_list::{Hidden, Sorting};
 use cloudwright_core::facing::{FacingRule, Pose, Poses, lock_distance};
 use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::image::LinearPicture;
+use cloudwright_core::method::{METHODS, Method, Settings};
 use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::raster::{plain, truth};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::{Atlas, PlacedCloud, Sprite};
-use cloudwright_core::variants::{FacingVariant, LazySorting};
 use cloudwright_core::view_history::ViewHistory;
 use glam::DVec3;
 
@@ -29,17 +29,15 @@ pub struct Flight {
     pub cameras: Vec<Camera>,
 }
 
-/// A way to lock and to sort, by name.
-pub const METHODS: &[(&str, FacingRule, Sorting)] = &[
-    ("shipped", FacingRule::Bounded, Sorting::EachFrame),
-    ("crossfade", FacingRule::Bounded, Sorting::Crossfade),
-    ("no lock", FacingRule::Variant(FacingVariant::NoLock), Sorting::EachFrame),
-    ("lock without fade", FacingRule::Variant(FacingVariant::LockWithoutFade), Sorting::EachFrame),
-    ("Wang's dot product", FacingRule::Variant(FacingVariant::WangsDotProduct), Sorting::EachFrame),
-    ("view plane", FacingRule::Variant(FacingVariant::ViewPlane), Sorting::EachFrame),
-    ("lazy, SkyWorks", FacingRule::Bounded, Sorting::Variant(LazySorting::SkyWorks)),
-    ("lazy, SimGear", FacingRule::Bounded, Sorting::Variant(LazySorting::SimGear)),
-];
+/// Of the table of methods those that lock or sort in a way of their own, and what is shipped.
+pub fn methods() -> Vec<(&'static str, FacingRule, Sorting)> {
+    let way = |method: &Method| (method.name, method.settings.facing, method.settings.sorting);
+    let differs = |method: &&Method| {
+        let Settings { facing, sorting, .. } = method.settings;
+        method.settings == Settings::SHIPPED || (facing, sorting) != (FacingRule::Bounded, Sorting::EachFrame)
+    };
+    METHODS.iter().filter(differs).map(way).collect()
+}
 
 /// Largest changes of any sprite in one step, for each metre flown, times its lock distance.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -6,6 +6,7 @@
 
 use super::easel::Shot;
 use super::report::{Error, Figure, Method, Stability};
+use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip, linear_error, opacity_error};
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +17,10 @@ pub struct FrameFigures {
     pub at_s: f64,
     /// Wall time of drawing it, once, for figures; what a method costs is measured apart, but for the truth.
     pub drawn_ms: Figure,
+    /// How much there is to see in it: the standard deviation of the truth's green, 0 to ½ of what a display shows. It
+    /// helps to choose the frame that the page shows.
+    #[serde(default)]
+    pub contrast: f64,
     /// What it gets wrong.
     pub error: Error,
     /// Mean excess change to the next frame; none for a still.
@@ -36,6 +41,7 @@ impl FrameFigures {
         let changed = steps.flatten().last();
         Self {
             at_s,
+            contrast: contrast(&truth.picture),
             drawn_ms: Some(shots.iter().map(|shot| shot.drawn_ms).sum::<f64>() / shots.len() as f64),
             error: Error {
                 flip_mean: errors.as_ref().map(|map| map.mean()),
@@ -67,6 +73,13 @@ impl Method {
             worst_frame: Some(worst),
         });
     }
+}
+
+fn contrast(picture: &Picture) -> f64 {
+    let greens = || picture.pixels.iter().map(|[_, green, ..]| f64::from(*green) / 255.0);
+    let count = picture.pixels.len().max(1) as f64;
+    let mean = greens().sum::<f64>() / count;
+    (greens().map(|green| (green - mean) * (green - mean)).sum::<f64>() / count).sqrt()
 }
 
 /// None of none.

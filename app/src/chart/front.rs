@@ -32,10 +32,10 @@ pub fn front(points: &[Option<[f64; 2]>]) -> Vec<bool> {
     on_front
 }
 
-/// The cheapest method whose mean FLIP is at most `tolerance`; the truer of two that cost the same.
+/// The cheapest method that one can choose whose mean FLIP is at most `tolerance`; the truer of two that cost the same.
 pub fn cheapest_within(methods: &[Method], tolerance: f64) -> Option<&Method> {
     let within = methods.iter().filter_map(|method| {
-        let [cost, error] = method.cost_and_error()?;
+        let [cost, error] = method.choice()?;
         (error <= tolerance).then_some((method, [cost, error]))
     });
     within.min_by(|(_, a), (_, b)| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))).map(|(method, _)| method)

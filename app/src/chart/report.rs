@@ -60,6 +60,9 @@ pub struct Method {
     pub name: String,
     /// What it does, in words: "sorting" → "by distance".
     pub settings: BTreeMap<String, String>,
+    /// Whether it is drawn only to show what it gets wrong: no one can choose it, so it is never on the front.
+    #[serde(default)]
+    pub known_to_fail: bool,
     /// What it takes.
     pub cost: Cost,
     /// What it gets wrong.
@@ -145,6 +148,11 @@ impl Method {
         finite(self.cost.frame_ms, self.error.flip_mean)
     }
 
+    /// The same, if one can choose it.
+    pub fn choice(&self) -> Option<[f64; 2]> {
+        self.cost_and_error().filter(|_| !self.known_to_fail)
+    }
+
     /// Frame time and mean excess change, if both were measured: its place in the chart of stability.
     pub fn cost_and_excess(&self) -> Option<[f64; 2]> {
         finite(self.cost.frame_ms, self.stability.as_ref()?.excess_mean)
@@ -158,7 +166,7 @@ fn finite(cost: Figure, error: Figure) -> Option<[f64; 2]> {
 impl Report {
     /// Sets [`Method::on_front`] by frame time and mean FLIP.
     pub fn mark_front(&mut self) {
-        let points: Vec<_> = self.methods.iter().map(Method::cost_and_error).collect();
+        let points: Vec<_> = self.methods.iter().map(Method::choice).collect();
         for (method, on_front) in self.methods.iter_mut().zip(front::front(&points)) {
             method.on_front = on_front;
         }

@@ -10,10 +10,11 @@ use super::gallery::Gallery;
 use super::report::{Cost, Counts, Figure, LeftOut, Method, Report};
 use super::subject::Subject;
 use crate::renderer::RenderError;
-use cloudwright_core::method::Renderer;
+use cloudwright_core::image::Picture;
+use cloudwright_core::method::{Family, Renderer};
 
 /// Of the places along a path, so many at most are timed.
-const TIMED: usize = 4;
+const TIMED: usize = 3;
 /// How long the truth draws, in frames of another method: for the progress only.
 const TRUTH_WEIGHT: usize = 30;
 
@@ -23,6 +24,8 @@ pub struct Run<'a> {
     seats: Vec<Seat<'a>>,
     places: Vec<Vec<f64>>,
     repeat: usize,
+    /// The truth at places where this run has drawn it.
+    truths: Vec<(f64, Picture)>,
     /// All but the methods.
     head: Report,
     /// Hears the share done, 0 to 1.
@@ -54,18 +57,15 @@ impl<'a> Run<'a> {
             let name = easel.method.name;
             let found = known.methods.iter().find(|method| method.name == name).cloned();
             let figures = found.unwrap_or_else(|| Method { name: name.into(), ..Method::default() });
-            Seat {
-                figures: Method { settings: easel.method.settings.in_words(), ..figures },
-                easel,
-                rounds: Vec::new(),
-            }
+            let (settings, known_to_fail) = (easel.method.settings.in_words(), easel.method.family == Family::Failing);
+            Seat { easel, figures: Method { settings, known_to_fail, ..figures }, rounds: Vec::new() }
         };
         let seats: Vec<Seat<'_>> = easels.into_iter().map(seat).collect();
         let (places, repeat) = (subject.places(), repeat.max(1) as usize);
         let errors = places.len() * (TRUTH_WEIGHT + 2 * seats.len());
         let work = errors + (repeat + 1) * TIMED.min(places.len()) * seats.len();
         let head = Report { methods: Vec::new(), ..known };
-        Self { truth, seats, places, repeat, head, progress, done: 0, work }
+        Self { truth, seats, places, repeat, truths: Vec::new(), head, progress, done: 0, work }
     }
 
     /// What is known so far.
@@ -90,6 +90,7 @@ impl<'a> Run<'a> {
             if self.seats.iter().any(lacks) {
                 self.head.unfinished = true;
                 let truths = shots(&mut self.truth, &place)?;
+                self.truths.extend(truths.first().map(|shot| (at_s, shot.picture.clone())));
                 self.each(|seat| {
                     if lacks(seat) {
                         let drawn = if seat.is_truth() { truths.clone() } else { shots(&mut seat.easel, &place)? };
@@ -139,21 +140,35 @@ impl<'a> Run<'a> {
         Ok(())
     }
 
-    /// Draws what the page shows: the middle place.
+    /// Draws what the page shows: the place where there is something to see, and methods differ.
     ///
     /// # Errors
     /// None, since the truth needs no adapter.
     pub fn draw(&mut self) -> Result<Gallery, RenderError> {
-        let middle =
-            self.places.get(self.places.len() / 2).and_then(|place| place.first()).copied().unwrap_or_default();
-        let mut gallery = Gallery::new(self.truth.draw(middle)?.picture);
+        let at_s = self.telling();
+        let known = self.truths.iter().position(|(known, _)| *known == at_s);
+        let truth = match known {
+            Some(index) => self.truths.swap_remove(index).1,
+            None => self.truth.draw(at_s)?.picture,
+        };
+        let mut gallery = Gallery::new(truth);
         self.each(|seat| {
             if !seat.is_truth() {
-                gallery.hang(seat.easel.method, seat.easel.draw(middle)?.picture);
+                gallery.hang(seat.easel.method, seat.easel.draw(at_s)?.picture);
             }
             Ok(())
         });
         Ok(gallery)
+    }
+
+    /// The place with the largest product of contrast and error.
+    fn telling(&self) -> f64 {
+        let worth = |at_s: f64| -> f64 {
+            let frames = self.seats.iter().flat_map(|seat| &seat.figures.frames).filter(|frame| frame.at_s == at_s);
+            frames.map(|frame| frame.contrast * frame.error.flip_mean.unwrap_or_default()).sum()
+        };
+        let places = self.places.iter().filter_map(|place| place.first().copied());
+        places.max_by(|a, b| worth(*a).total_cmp(&worth(*b))).unwrap_or_default()
     }
 
     /// Does something for each method; one that fails is left out from here on.

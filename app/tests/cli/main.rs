@@ -8,6 +8,7 @@
 mod answers;
 mod arguments;
 mod bad_scenes;
+mod chart;
 mod fly;
 mod gpu;
 mod new;

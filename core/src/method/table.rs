@@ -68,7 +68,7 @@ pub const METHODS: &[Method] = &[
     ),
     failing(
         "eight-bits",
-        "Every sprite is blended into 8 bits a channel: roundings add up to bands. Its time is that of a plain loop.",
+        "Every sprite is blended into 8 bits a channel: roundings add up to bands.",
         with(Renderer::EightBits),
     ),
     failing(

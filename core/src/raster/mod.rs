@@ -10,7 +10,7 @@ pub mod plain;
 mod prepare;
 pub mod truth;
 
-pub use prepare::{Filter, Linear, ScreenSprite, prepare, trilinear};
+pub use prepare::{Filter, Hit, Linear, ScreenSprite, prepare, trilinear};
 
 use crate::frame::Frame;
 use crate::image::{LinearPicture, Picture};

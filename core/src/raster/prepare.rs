@@ -77,6 +77,17 @@ pub struct ScreenSprite {
     pub outline: Option<[Vec2; 4]>,
 }
 
+/// Where a ray meets a sprite.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Hit {
+    /// From 0 at the left to 1 at the right.
+    pub u: f32,
+    /// From 0 at the top to 1 at the bottom.
+    pub v: f32,
+    /// View depth, metres.
+    pub depth: f32,
+}
+
 /// The frame's sprites on the screen, back to front as in its list.
 pub fn prepare(frame: &Frame<'_>) -> Vec<ScreenSprite> {
     let dome = DomeTables::new(&frame.background.dome);
@@ -192,6 +203,13 @@ impl ScreenSprite {
     /// What the sprite shows at a pixel coordinate, with the view depth at which the ray meets it; none beside the
     /// quad, behind the near plane, or where it is clear. `mip_at` gives the level for a view depth.
     pub fn fragment(&self, atlas: &Atlas, x: f32, y: f32, mip_at: impl Fn(f32) -> f32) -> Option<(Premultiplied, f32)> {
+        let Hit { u, v, depth } = self.hit(x, y)?;
+        Some((self.shown(atlas, u, v, mip_at(depth))?, depth))
+    }
+
+    /// Where the ray through a pixel coordinate meets it; nowhere beside the quad or behind the near plane.
+    #[inline]
+    pub fn hit(&self, x: f32, y: f32) -> Option<Hit> {
         let (x, y) = (x - self.anchor.x, y - self.anchor.y);
         let denominator = self.denominator.at(x, y);
         if denominator <= 0.0 {
@@ -199,10 +217,14 @@ impl ScreenSprite {
         }
         let inverse = 1.0 / denominator;
         let (u, v, depth) = (self.u.at(x, y) * inverse, self.v.at(x, y) * inverse, self.depth * inverse);
-        if !((0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v) && depth >= NEAR_M) {
-            return None;
-        }
-        let texel = trilinear(atlas, self.tile, u, v, mip_at(depth));
+        let inside = (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v) && depth >= NEAR_M;
+        inside.then_some(Hit { u, v, depth })
+    }
+
+    /// What it shows there at a mip level; nothing where it is clear.
+    #[inline]
+    pub fn shown(&self, atlas: &Atlas, u: f32, v: f32, mip: f32) -> Option<Premultiplied> {
+        let texel = trilinear(atlas, self.tile, u, v, mip);
         if texel[3] == 0.0 {
             return None;
         }
@@ -213,7 +235,7 @@ impl ScreenSprite {
             top + v * (bottom - top)
         });
         let channel = |c: usize| light[3] * (texel[c] * light[c] + texel[3] * self.haze[c]);
-        Some((Premultiplied { r: channel(0), g: channel(1), b: channel(2), a: light[3] * texel[3] }, depth))
+        Some(Premultiplied { r: channel(0), g: channel(1), b: channel(2), a: light[3] * texel[3] })
     }
 }
 

@@ -2,15 +2,18 @@
 //!
 //! Sprites that face the eye cross one another, so no order of whole sprites is right for every pixel. Here each pixel
 //! has `side` × `side` samples; at each, the fragments are sorted by their own depth along the ray (ties by the
-//! sprite's place in the scene) and blended in f32, all of them. Texels are filtered for the sample's footprint.
+//! sprite's place in the scene) and blended in f32, all that a f32 can tell. Texels are filtered for the sample's footprint.
 
 use super::fast::bins::{TILE, assemble, map_tiles};
 use super::plain::put_behind;
-use super::{ScreenSprite, prepare};
+use super::{Hit, ScreenSprite, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture};
 use std::sync::atomic::{AtomicUsize, Ordering};
+
+/// Where less than this gets through, what lies behind is lost in the rounding of what lies before.
+const LOST: f32 = 1.0 / (1 << 24) as f32;
 
 /// Samples a pixel that error figures use: 4 × 4.
 pub const SIDE: u32 = 4;
@@ -83,28 +86,34 @@ impl Tile<'_> {
         let Self { side, .. } = *self;
         let spacing = 1.0 / side as f32;
         let at = |pixel: u32, i: u32| pixel as f32 + (i as f32 + 0.5) * spacing;
-        let mut fragments = Vec::new();
-        let samples = (0..side * side).map(|i| self.sample(at(x, i % side), at(y, i / side), spacing, &mut fragments));
+        let touches = |member: &&u32| {
+            let [left, top, right, bottom] = self.sprites[**member as usize].bounds;
+            let [x, y] = [x as f32, y as f32];
+            left <= x + 1.0 && right >= x && top <= y + 1.0 && bottom >= y
+        };
+        let members: Vec<u32> = self.members.iter().filter(touches).copied().collect();
+        let mut hits = Vec::new();
+        let samples =
+            (0..side * side).map(|i| self.sample(&members, [at(x, i % side), at(y, i / side)], spacing, &mut hits));
         samples.fold(Pixel::default(), Pixel::plus).times(spacing * spacing)
     }
 
-    fn sample(&self, x: f32, y: f32, spacing: f32, fragments: &mut Vec<(f32, [u32; 2], Premultiplied)>) -> Pixel {
+    fn sample(&self, members: &[u32], [x, y]: [f32; 2], spacing: f32, hits: &mut Vec<(Hit, u32)>) -> Pixel {
         let view = &self.frame.view;
-        fragments.clear();
-        fragments.extend(self.members.iter().filter_map(|&member| {
-            let sprite = &self.sprites[member as usize];
-            let [left, top, right, bottom] = sprite.bounds;
-            if x < left || x > right || y < top || y > bottom {
-                return None;
-            }
-            let (fragment, depth) = sprite.fragment(self.frame.atlas, x, y, |depth| sprite.mip_at(depth, spacing))?;
-            Some((depth, self.places[member as usize], fragment))
-        }));
+        hits.clear();
+        hits.extend(members.iter().filter_map(|&member| Some((self.sprites[member as usize].hit(x, y)?, member))));
         // Nearest first; of equally near ones the list draws the later one over the earlier.
-        fragments.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(b.1.cmp(&a.1)));
+        let place = |member: u32| self.places[member as usize];
+        hits.sort_unstable_by(|(a, i), (b, j)| a.depth.total_cmp(&b.depth).then_with(|| place(*j).cmp(&place(*i))));
         let mut clouds = self.frame.veil;
-        for (_, _, fragment) in fragments.iter() {
-            put_behind(&mut clouds, *fragment);
+        for (Hit { u, v, depth }, member) in hits.iter() {
+            let sprite = &self.sprites[*member as usize];
+            if let Some(fragment) = sprite.shown(self.frame.atlas, *u, *v, sprite.mip_at(*depth, spacing)) {
+                put_behind(&mut clouds, fragment);
+            }
+            if 1.0 - clouds.a < LOST {
+                break;
+            }
         }
         let color = clouds.over(self.frame.background.color(view.ray(x, y), view.pixel() * spacing));
         Pixel { color, clouds }

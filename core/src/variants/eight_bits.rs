@@ -1,43 +1,57 @@
 //! Blending into eight bits a channel, as screens had when the article was written: each sprite that covers a pixel
 //! rounds it again, and thin layers add up to bands, or to nothing.
 
-use crate::color::{Premultiplied, Rgb, linear_from_srgb, srgb_from_linear};
+use crate::color::{Premultiplied, Rgb, linear_from_srgb};
 use crate::frame::Frame;
 use crate::image::LinearPicture;
+use crate::raster::fast::bins::{assemble, map_tiles};
 use crate::raster::prepare;
 
 /// The frame over its background in linear light, every blend stored as 8-bit sRGB; white is the most that it holds.
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
     let (width, height) = (frame.view.width, frame.view.height);
+    let bytes = Bytes::new();
     let background = |i: u32| {
         let ray = frame.view.ray((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
-        stored(frame.background.color(ray, frame.view.pixel()) * frame.exposure)
+        bytes.stored(frame.background.color(ray, frame.view.pixel()) * frame.exposure)
     };
-    let mut pixels: Vec<Rgb> = (0..width * height).map(background).collect();
-    for sprite in prepare(frame) {
-        let [left, top, right, bottom] = sprite.bounds;
-        for y in top as u32..(bottom.ceil() as u32).min(height) {
-            for x in left as u32..(right.ceil() as u32).min(width) {
-                let at = (x as f32 + 0.5, y as f32 + 0.5);
-                if let Some((fragment, _)) = sprite.fragment(frame.atlas, at.0, at.1, |_| sprite.mip) {
-                    let pixel = &mut pixels[(y * width + x) as usize];
-                    *pixel = blended(fragment, *pixel, frame.exposure);
-                }
-            }
+    let sprites = prepare(frame);
+    let tiles = map_tiles(&sprites, width, height, |rect, members| {
+        let pixel = |i: u32| {
+            let (x, y) = (rect.left + i % rect.width, rect.top + i / rect.width);
+            let shown = members.iter().rev().filter_map(|&member| {
+                let sprite = &sprites[member as usize];
+                Some(sprite.fragment(frame.atlas, x as f32 + 0.5, y as f32 + 0.5, |_| sprite.mip)?.0)
+            });
+            let over = |behind, fragment| bytes.blended(fragment, behind, frame.exposure);
+            shown.chain([frame.veil]).fold(background(y * width + x), over) * (1.0 / frame.exposure)
+        };
+        (0..rect.width * rect.height).map(pixel).collect()
+    });
+    LinearPicture { width, height, pixels: assemble(&tiles, width, height, Rgb::BLACK) }
+}
+
+/// What eight bits hold: the linear light of each byte of sRGB, and where rounding goes on to the next byte.
+struct Bytes {
+    linear: [f32; 256],
+    steps: [f32; 255],
+}
+
+impl Bytes {
+    fn new() -> Self {
+        Self {
+            linear: std::array::from_fn(|byte| linear_from_srgb(byte as f32 / 255.0)),
+            steps: std::array::from_fn(|byte| linear_from_srgb((byte as f32 + 0.5) / 255.0)),
         }
     }
-    for pixel in &mut pixels {
-        *pixel = blended(frame.veil, *pixel, frame.exposure) * (1.0 / frame.exposure);
+
+    fn stored(&self, color: Rgb) -> Rgb {
+        let store = |linear: f32| self.linear[self.steps.partition_point(|step| *step <= linear)];
+        Rgb::new(store(color.r), store(color.g), store(color.b))
     }
-    LinearPicture { width, height, pixels }
-}
 
-fn blended(fragment: Premultiplied, behind: Rgb, exposure: f32) -> Rgb {
-    stored(Rgb::new(fragment.r, fragment.g, fragment.b) * exposure + behind * (1.0 - fragment.a))
-}
-
-fn stored(color: Rgb) -> Rgb {
-    let store =
-        |linear: f32| linear_from_srgb((srgb_from_linear(linear.clamp(0.0, 1.0)) * 255.0 + 0.5).floor() / 255.0);
-    Rgb::new(store(color.r), store(color.g), store(color.b))
+    fn blended(&self, fragment: Premultiplied, behind: Rgb, exposure: f32) -> Rgb {
+        let Premultiplied { r, g, b, a } = fragment;
+        self.stored(Rgb::new(r, g, b) * exposure + behind * (1.0 - a))
+    }
 }

@@ -58,7 +58,20 @@ pub(super) fn scene() -> Scene {
     sketch.camera("below", DVec3::new(-600.0, 420.0, 1300.0), DVec3::new(200.0, 900.0, -400.0), 62.0);
     sketch.camera("deck", DVec3::new(-300.0, 1330.0, 1500.0), DVec3::new(150.0, 1180.0, -900.0), 58.0);
     sketch.camera("within", DVec3::new(0.0, 1050.0, 200.0), DVec3::new(400.0, 1080.0, -900.0), 60.0);
+    down(&mut sketch);
     sketch.scene
+}
+
+/// Over the tops, into the deck and out below it, at 90 to 100 m/s.
+fn down(sketch: &mut Sketch) {
+    let keys = [
+        (0.0, DVec3::new(-300.0, 1330.0, 1500.0), [0.0, -2.0]),
+        (4.0, DVec3::new(-200.0, 1270.0, 1140.0), [3.0, -1.0]),
+        (8.0, DVec3::new(-90.0, 1130.0, 780.0), [-2.0, 4.0]),
+        (12.0, DVec3::new(10.0, 960.0, 430.0), [2.0, 6.0]),
+        (16.0, DVec3::new(90.0, 790.0, 80.0), [0.0, 10.0]),
+    ];
+    sketch.path("down", 58.0, &keys);
 }
 
 /// One cell of a roll, some 850 m × 480 m: base, two bodies, a crest, heads. Each layer has tiles from small to twice

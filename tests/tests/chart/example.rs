@@ -140,7 +140,9 @@ pub fn report() -> Report {
                 excess_p999: Some(excess * 31.0),
                 worst_frame: Some(excess * 6.2),
             }),
+            known_to_fail: example.family == Failing,
             on_front: false,
+            frames: Vec::new(),
         }
     };
     Report {
@@ -153,6 +155,7 @@ pub fn report() -> Report {
             name: "dual-source".into(),
             reason: "the adapter has no dual-source blending; choose another one".into(),
         }],
+        input: String::new(),
         unfinished: false,
     }
 }

@@ -70,8 +70,9 @@ fn cheapest_that_keeps_a_tolerance() {
         assert_eq!(cheapest_within(methods, tolerance).map(|method| method.name.as_str()), want, "{tolerance}");
     };
     for (tolerance, want) in [
-        (0.5, Some("8-bit blending")),
-        (0.034, Some("8-bit blending")),
+        // 8-bit blending is cheaper, but known to fail.
+        (0.5, Some("gpu")),
+        (0.034, Some("gpu")),
         (0.02, Some("gpu")),
         (0.007, Some("shipped fast")),
         (0.0, Some("truth")),

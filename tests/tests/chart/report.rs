@@ -9,8 +9,8 @@ fn comes_back_as_it_went() {
     full.mark_front();
     let on_front: Vec<&str> =
         full.methods.iter().filter(|method| method.on_front).map(|method| method.name.as_str()).collect();
-    // By the figures of the example: 8-bit is the cheapest, each of the others truer than all that is cheaper.
-    assert_eq!(on_front, ["truth", "shipped fast", "plain", "gpu", "8-bit blending"]);
+    // By the figures of the example: each is truer than all that is cheaper, but for 8-bit blending, known to fail.
+    assert_eq!(on_front, ["truth", "shipped fast", "plain", "gpu"]);
     let camera = Report { view: Some(View::Camera("“a”\n<b>".into())), unfinished: true, ..Report::default() };
     let method = Method { name: "nothing known".into(), ..Method::default() };
     let poor = Report { methods: vec![method], ..Report::default() };

@@ -7,6 +7,7 @@ mod draw_list;
 mod export;
 mod flight;
 mod measure;
+mod method;
 mod model_glb;
 mod raster;
 mod scene_file;

@@ -71,7 +71,10 @@ fn far_from_front(page: &Page<'_>) -> Option<String> {
 }
 
 fn beaten(page: &Page<'_>, place: usize) -> Option<Beaten> {
-    let points: Vec<_> = page.report.methods.iter().map(Method::cost_and_error).collect();
+    let methods = page.report.methods.iter().enumerate();
+    // What is known to fail may be beaten, but beats none.
+    let point = |(i, method): (usize, &Method)| if i == place { method.cost_and_error() } else { method.choice() };
+    let points: Vec<_> = methods.map(point).collect();
     front::beaten(&points, place)
 }
 
@@ -102,8 +105,8 @@ pub(super) fn of_errors(page: &Page<'_>) -> String {
     if drawn == 0 {
         return "No method has been measured.".into();
     }
-    "The line is the front: no method is both quicker and truer than those on it, and what lies in the field beyond is \
-     beaten. FLIP is how different two pictures look when one is shown after the other, from 0 to 1."
+    "The line is the front: no method that one can choose is both quicker and truer than those on it, and what lies in \
+     the field beyond is beaten. FLIP is how different two pictures look when one is shown after the other, from 0 to 1."
         .into()
 }
 

@@ -115,7 +115,9 @@ impl<'a> Sheet<'a> {
 
     /// The front's corners from the top of the field to its right.
     fn front(&self) -> Vec<[f64; 2]> {
-        let points: Vec<_> = self.plot.marks.iter().map(|mark| Some(mark.at)).collect();
+        // What is known to fail is no choice.
+        let choice = |mark: &Mark<'_>| (mark.family != Family::Failing).then_some(mark.at);
+        let points: Vec<_> = self.plot.marks.iter().map(choice).collect();
         let on_front = front::front(&points);
         let mut best: Vec<[f64; 2]> =
             self.plot.marks.iter().zip(on_front).filter(|(_, on)| *on).map(|(mark, _)| self.at(mark.at)).collect();
