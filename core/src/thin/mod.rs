@@ -1,7 +1,7 @@
 //! Model no more than a scene needs: sprites that nobody would miss are dropped.
 //!
-//! A scene is looked at from its cameras, along its paths and from around each cloud, that one alone ([`vantages`]), by the light of its
-//! hour and with every cloud whole. Sprites are sorted by the most that they add to any of these pictures ([`losses`]),
+//! A scene is looked at from its cameras, along its paths and from around each cloud, that one alone (`vantages.rs`), by the light of its
+//! hour and with every cloud whole. Sprites are sorted by the most that they add to any of these pictures (`losses.rs`),
 //! and as many of the least are dropped as leave each picture's mean FLIP against the scene as it was within the
 //! tolerance. Then what is left is weighed again, for what stood behind the dropped ones shows now.
 //!

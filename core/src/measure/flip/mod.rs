@@ -1,9 +1,9 @@
 //! ꟻLIP: how large the difference of two pictures looks to someone who flips between them.
 //!
 //! Andersson, Nilsson, Akenine-Möller, Oskarsson, Åström, Fairchild: *FLIP: A Difference Evaluator for Alternating
-//! Images*, Proc. ACM Comput. Graph. Interact. Tech. 3(2) (HPG 2020), for displays of 8 bits. What an eye cannot resolve
-//! is filtered away, colours are compared in a space of even steps, and differences of edges and points, which eyes
-//! are keen on, raise the error: 0 is equal, 1 is black for white.
+//! Images*, Proceedings of the ACM on Computer Graphics and Interactive Techniques 3(2) (HPG 2020), for displays of 8
+//! bits. What an eye cannot resolve is filtered away, colours are compared in a space of even steps, and differences of
+//! edges and points, which eyes are keen on, raise the error: 0 is equal, 1 is black for white.
 //!
 //! All filters are sums of products of a filter along rows and one along columns, so a pixel takes some 300 products
 //! instead of 2,500. Bands of rows are filtered along the rows, then down the columns; [`filters`] has the weights,
