@@ -126,7 +126,7 @@ impl Clock {
 
     /// Goes on for `seconds` of the artist's; a stall counts as one step.
     pub(super) fn advance(&mut self, seconds: f64, length_s: f64) {
-        let to_s = self.time_s + seconds.min(MAX_STEP_S) * self.speed;
+        let to_s = self.time_s + seconds.clamp(0.0, MAX_STEP_S) * self.speed;
         if !self.plays || to_s.is_nan() || to_s <= self.time_s {
             return;
         }
