@@ -10,7 +10,7 @@ use cloudwright_core::sprites::Atlas;
 /// From one frame of a flight to the next, seconds: 30 a second, as flights are drawn.
 pub const FRAME_S: f64 = 1.0 / 30.0;
 /// Places along a path. At each two frames are drawn by the truth, which takes most of a chart's time.
-const PLACES: usize = 6;
+const PLACES: usize = 5;
 
 /// From where.
 #[derive(Debug, Clone, Copy)]

@@ -62,7 +62,7 @@ fn help() -> String {
   cloudwright chart overcast.cloudscene -o chart --camera within --size 960x540
   cloudwright chart overcast.cloudscene -o chart --methods truth,fast,half,quarter --tolerance 0.01
 
-Along a path, errors are measured at six places spread over it, and at each the change to the next of 30 frames a
+Along a path, errors are measured at five places spread over it, and at each the change to the next of 30 frames a
 second. A run that was broken off goes on when it is started again with the same scene and options.
 
 Methods:\n"

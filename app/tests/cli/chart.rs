@@ -54,7 +54,7 @@ fn a_flight_is_measured_and_traps_lie_far_off() {
         assert!(error(&report, name) > fast, "{name}");
     }
     for method in &report.methods {
-        assert_eq!(method.frames.len(), 6, "{}", method.name);
+        assert_eq!(method.frames.len(), 5, "{}", method.name);
         assert!(method.cost.frame_ms > Some(0.0) && method.cost.counts.sprites > 0, "{}", method.name);
         assert!(method.stability.is_some(), "{}", method.name);
         assert!(!(method.known_to_fail && method.on_front), "{}", method.name);

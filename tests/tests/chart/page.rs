@@ -132,7 +132,7 @@ fn poor_reports() {
 #[test]
 fn tolerance_is_one_number() {
     let (report, truth) = (example::report(), plain_picture(2, 2));
-    for (tolerance, want) in [(0.05, "within a mean FLIP of 0.05 is <strong>8-bit"), (0.003, "is <strong>truth")] {
+    for (tolerance, want) in [(0.05, "within a mean FLIP of 0.05 is <strong>gpu"), (0.003, "is <strong>truth")] {
         let html = write(&Page { tolerance, ..page(&report, &truth, &[]) }).expect("enough memory");
         assert!(html.contains(want), "{want}");
     }
