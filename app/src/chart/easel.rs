@@ -124,7 +124,7 @@ impl<'a> Easel<'a> {
         renderer.picture(gpu, &frame)?;
         let frame_ms = ms(start);
         let pass = renderer.sprites_pass_time(gpu, &frame)?;
-        let gpu_ms = (pass.clock == PassClock::Timestamps).then(|| pass.duration.as_secs_f64() * 1e3);
+        let gpu_ms = (pass.clock == PassClock::Timestamps).then_some(pass.duration.as_secs_f64() * 1e3);
         Ok(Times { frame_ms, cpu_ms, gpu_ms })
     }
 
