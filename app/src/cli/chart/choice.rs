@@ -4,6 +4,7 @@ use crate::chart::easel::Easel;
 use crate::chart::report::LeftOut;
 use crate::chart::subject::Subject;
 use crate::cli::failure::Failure;
+use crate::renderer::RenderError;
 use cloudwright_core::method::{self, METHODS, Method};
 use cloudwright_render::AdapterChoice;
 
@@ -39,6 +40,12 @@ fn easel<'a>(subject: &Subject<'a>, name: &str, adapter: &AdapterChoice) -> Resu
     let method = method::named(name).ok_or_else(unknown)?;
     match method.settings.without_effect(subject.flies(), subject.forms()) {
         Some(reason) => Err(format!("it would draw what “{}” draws: {reason}", method::shipped().name)),
-        None => Easel::new(*subject, method, adapter).map_err(|error| error.to_string()),
+        None => Easel::new(*subject, method, adapter).map_err(|error| match (error, adapter) {
+            (RenderError::NoGpu(_), AdapterChoice::HardwareOnly) => {
+                format!("there is no graphics adapter of real hardware; --methods {name} takes one that is a program")
+            }
+            (RenderError::NoGpu(error), _) => error.to_string(),
+            (error, _) => error.to_string(),
+        }),
     }
 }
