@@ -1,6 +1,7 @@
-//! Makes what is checked in again: `renew atlas | scenes | presets | models | schema | shortcuts | flip | pictures DIR`.
+//! Makes what is checked in again: `renew atlas | scenes | presets | models | schema | shortcuts | flip | charts |
+//! pictures DIR`.
 //!
-//! Run in the project's root. Tests say when one of them, pictures apart, is stale.
+//! Run in the project's root. Tests say when one of them, charts and pictures apart, is stale.
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
@@ -14,6 +15,7 @@ use cloudwright_tests::{flip_pairs, with_shortcuts};
 use std::error::Error;
 use std::fs::{self, File};
 use std::path::Path;
+use std::process::Command;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let args: Vec<String> = std::env::args().skip(1).collect();
@@ -27,12 +29,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
         ["shortcuts"] => Ok(fs::write("README.md", with_shortcuts(&fs::read_to_string("README.md")?)?)?),
         ["flip"] => write_flip_pairs("tests/flip".as_ref()),
+        ["charts"] => charts(),
         ["pictures", folder] => pictures(folder.as_ref(), ""),
         ["pictures", folder, only] => pictures(folder.as_ref(), only),
-        _ => {
-            Err("usage: renew atlas | scenes | presets | models | schema | shortcuts | flip | pictures DIR [SCENE]"
-                .into())
-        }
+        _ => Err("usage: renew atlas | scenes | presets | models | schema | shortcuts | flip | charts | pictures DIR \
+                 [SCENE]"
+            .into()),
     }
 }
 
@@ -47,6 +49,27 @@ fn write_scenes(folder: &str, scenes: &[NamedScene]) -> Result<(), Box<dyn Error
         let path = format!("{folder}/{name}.{}", scene_file::EXTENSION);
         Ok(fs::write(path, scene_file::write(&scene())?)?)
     })
+}
+
+/// What is in assets/charts, measured anew on this machine, which should have nothing else to do meanwhile.
+fn charts() -> Result<(), Box<dyn Error>> {
+    const METHODS: &str = "truth,fast,four-samples,crossfade,early-stop,three-quarters,half,quarter,eight-bits,view-plane,\
+                           no-lock,dot-product,no-mips";
+    for (name, scene) in [("single_cumulus", "single_cumulus"), ("overcast", "overcast"), ("dusk", "cumulonimbus_dusk")]
+    {
+        let folder = format!("assets/charts/{name}");
+        // A broken-off or older measurement is not gone on with.
+        for file in ["chart.json", "chart.html"] {
+            let _ = fs::remove_file(format!("{folder}/{file}"));
+        }
+        let scene = format!("assets/scenes/{scene}.{}", scene_file::EXTENSION);
+        let chart = ["chart", &scene, "-o", &folder, "--size", "320x180", "--methods", METHODS];
+        let run = ["run", "--quiet", "--release", "--package", "cloudwright", "--"];
+        if !Command::new("cargo").args(run).args(chart).status()?.success() {
+            return Err(format!("{name} could not be charted").into());
+        }
+    }
+    Ok(())
 }
 
 /// Every camera of every shipped scene whose name has `only` in it.
