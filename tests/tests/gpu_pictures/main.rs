@@ -185,7 +185,9 @@ fn hidden(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
         let empty = Frame { list: DrawList::default(), veil: Veil::CLEAR, ..frame.clone() };
         let layer = renderer.clouds(gpu, &empty)?;
         ensure(renderer.bytes_uploaded() == 32 * frame.clouds.len() as u64, "hiding uploaded something")?;
-        ensure(layer.pixels.iter().all(|pixel| pixel.a == 0.0), "a hidden cloud was drawn")
+        let drawn = layer.pixels.iter().enumerate().find(|(_, pixel)| pixel.a != 0.0);
+        let count = layer.pixels.iter().filter(|pixel| pixel.a != 0.0).count();
+        ensure(drawn.is_none(), &format!("a hidden cloud was drawn: {drawn:?} {count} of {}", layer.pixels.len()))
     })
 }
 
