@@ -61,9 +61,9 @@ pub const METHODS: &[Method] = &[
     ),
     other("half", "Of each cloud the half of the sprites that cover most.", Settings { kept: 0.5, ..OURS }),
     other("quarter", "Of each cloud the quarter of the sprites that cover most.", Settings { kept: 0.25, ..OURS }),
-    failing(
+    other(
         "no-mips",
-        "Texels of the finest level only: what is far steps over most of them and shimmers.",
+        "Texels of the finest level only: sharper near by, but what is far steps over most of them and shimmers.",
         Settings { filter: Filter::FinestLevel, ..OURS },
     ),
     failing(

@@ -5,13 +5,15 @@ use crate::chart::report::LeftOut;
 use crate::chart::subject::Subject;
 use crate::cli::failure::Failure;
 use crate::renderer::RenderError;
-use cloudwright_core::method::{self, METHODS, Method};
+use cloudwright_core::method::{self, METHODS, Method, Renderer};
 use cloudwright_render::AdapterChoice;
 
 /// Those of the names `asked` for, or all that make a difference; ready to draw, and what is left out.
 pub(super) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> Result<(Vec<Easel<'a>>, Vec<LeftOut>), Failure> {
     let (mut easels, mut left_out): (Vec<Easel<'a>>, Vec<LeftOut>) = Default::default();
-    let all: Vec<String> = METHODS.iter().map(|method| method.name.to_owned()).collect();
+    // The plain way is slow, and draws what “no-stop” draws.
+    let all = METHODS.iter().filter(|method| method.settings.renderer != Renderer::Plain);
+    let all: Vec<String> = all.map(|method| method.name.to_owned()).collect();
     // A program that plays a GPU is worth a look only to someone who asks for it.
     let (names, adapter) =
         if asked.is_empty() { (&all[..], AdapterChoice::HardwareOnly) } else { (asked, AdapterChoice::Any) };
