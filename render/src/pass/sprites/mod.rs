@@ -116,10 +116,8 @@ impl SpritesPass {
         models: Option<&wgpu::BindGroup>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
+        // Also drawn where there are none: software OpenGL now and then skips the clearing of a pass without a draw.
         let mut pass = begin(encoder, "sprites", target, load, None, timestamps);
-        if order.count() == 0 {
-            return;
-        }
         pass.set_pipeline(if models.is_some() { &self.among_models } else { &self.pipeline });
         if let Some(models) = models {
             pass.set_bind_group(2, models, &[]);
