@@ -46,7 +46,7 @@ pub fn exp(x: f32) -> f32 {
     if x < -87.3 { 0.0 } else { fraction * scale }
 }
 
-/// ln x within 3·10⁻⁷ + 10⁻⁷ |ln x| of its value for a number from the least normal one, 10⁻³⁸, on; smaller ones are
+/// ln x within 3·10⁻⁷ + 1.5·10⁻⁷ |ln x| of its value for a number from the least normal one, 10⁻³⁸, on; smaller ones are
 /// taken for that. Plain arithmetic as in [`exp`].
 #[inline(always)]
 pub fn ln(x: f32) -> f32 {
@@ -61,7 +61,7 @@ pub fn ln(x: f32) -> f32 {
     exponent as f32 * std::f32::consts::LN_2 + 2.0 * (s + s * tail)
 }
 
-/// x to a power that is not negative, within 1.4·10⁻⁶ of its value for x from 10⁻³ to 10³ and powers up to 1; 0 where x is 0
+/// x to a power that is not negative, within 1.8·10⁻⁶ of its value for x from 10⁻³ to 10³ and powers up to 1; 0 where x is 0
 /// or less. Plain arithmetic as in [`exp`].
 #[inline(always)]
 pub fn pow(x: f32, power: f32) -> f32 {
@@ -96,13 +96,14 @@ mod tests {
         for i in -6000..6000_i32 {
             let x = exp(i as f32 * 0.0123);
             let exact = f64::from(x).ln();
-            // The roundings of s and of the sum by some ulps each, as those of the larger part.
-            assert!((f64::from(ln(x)) - exact).abs() < 3e-7 + 1e-7 * exact.abs(), "ln {x}: {} for {exact}", ln(x));
+            // The roundings of s and of the tail by some ulps each; of the exponent's part, whose ln 2 is off by 0.3·10⁻⁷,
+            // and of the sum by half an ulp each, 0.6·10⁻⁷.
+            assert!((f64::from(ln(x)) - exact).abs() < 3e-7 + 1.5e-7 * exact.abs(), "ln {x}: {} for {exact}", ln(x));
             if exact.abs() < 6.9 {
                 for power in [0.0, 1.0 / 3.0, 0.7, 1.0] {
                     let exact = f64::from(x).powf(power.into());
-                    // The error of ln, at most 1·10⁻⁶ here, weighs by the power at most; exp adds 4·10⁻⁷.
-                    assert!((f64::from(pow(x, power)) / exact - 1.0).abs() < 1.4e-6, "{x} to the {power}");
+                    // The error of ln, at most 1.4·10⁻⁶ here, weighs by the power at most; exp adds 4·10⁻⁷.
+                    assert!((f64::from(pow(x, power)) / exact - 1.0).abs() < 1.8e-6, "{x} to the {power}");
                 }
             }
         }
