@@ -51,12 +51,10 @@ pub struct OpacityError {
 /// # Errors
 /// If they are of different sizes.
 pub fn linear_error(a: &LinearPicture, b: &LinearPicture) -> Result<LinearError, SizesDiffer> {
-    SizesDiffer::check([a.width, a.height], [b.width, b.height])?;
+    let map = linear_error_map(a, b)?;
     let width = (a.width as usize).max(1);
-    let mut values = vec![0.0; a.pixels.len()];
-    let rows = values.par_chunks_mut(width).zip(a.pixels.par_chunks(width).zip(b.pixels.par_chunks(width)));
-    let row_sums: Vec<f64> = rows.map(|(values, (a, b))| row(values, a, b)).collect();
-    let map = PixelMap { width: a.width, height: a.height, values };
+    let rows = a.pixels.par_chunks(width).zip(b.pixels.par_chunks(width));
+    let row_sums: Vec<f64> = rows.map(|(a, b)| squares(a, b)).collect();
     let mean_square = row_sums.iter().sum::<f64>() / (3 * map.values.len()).max(1) as f64;
     Ok(LinearError { rmse: mean_square.sqrt(), largest: map.largest(), p999: map.percentile(0.999) })
 }
@@ -97,18 +95,14 @@ pub(super) fn largest_difference(a: Rgb, b: Rgb) -> f32 {
     apart(a.r, b.r).max(apart(a.g, b.g)).max(apart(a.b, b.b))
 }
 
-/// Puts the largest channels' differences, and gives the sum of the squares of all.
-fn row(values: &mut [f32], a: &[Rgb], b: &[Rgb]) -> f64 {
+fn squares(a: &[Rgb], b: &[Rgb]) -> f64 {
     // A sum for each channel: three chains of additions that don't wait for one another.
     let mut sums = [0.0; 3];
-    for (value, (a, b)) in values.iter_mut().zip(a.iter().zip(b)) {
-        let ([a, b], mut largest) = ([a.to_array(), b.to_array()], 0.0_f32);
-        for (sum, (a, b)) in sums.iter_mut().zip(a.into_iter().zip(b)) {
-            let difference = apart(a, b);
-            largest = largest.max(difference);
-            *sum += f64::from(difference) * f64::from(difference);
+    for (a, b) in a.iter().zip(b) {
+        for (sum, (a, b)) in sums.iter_mut().zip(a.to_array().into_iter().zip(b.to_array())) {
+            let difference = f64::from(apart(a, b));
+            *sum += difference * difference;
         }
-        *value = largest;
     }
     sums.iter().sum()
 }

@@ -125,47 +125,18 @@ fn add_even<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) 
     for (sum, value) in sums.iter_mut().zip(at(0)) {
         *sum += middle * value;
     }
-    add_pairs(sums, sides, at, |before, after| before + after);
+    for (k, weight) in (1..).zip(sides) {
+        for ((sum, before), after) in sums.iter_mut().zip(at(-k)).zip(at(k)) {
+            *sum += weight * (before + after);
+        }
+    }
 }
 
 /// As [`add_even`] with the weights before the middle negative, and none for it.
 fn add_odd<'a>(sums: &mut [f32], half: &Half, at: &dyn Fn(isize) -> &'a [f32]) {
-    add_pairs(sums, half.get(1..).unwrap_or_default(), at, |before, after| after - before);
-}
-
-/// Adds what lies 1, 2, 3, … steps before and after each number, paired and weighted: several steps in one go, since sums
-/// that stay in registers are neither stored nor loaded, always in the same order.
-#[inline(always)]
-fn add_pairs<'a>(
-    sums: &mut [f32],
-    sides: &[f32],
-    at: &dyn Fn(isize) -> &'a [f32],
-    pair: impl Fn(f32, f32) -> f32 + Copy,
-) {
-    const AT_ONCE: usize = 4;
-    let (fours, rest) = sides.as_chunks::<AT_ONCE>();
-    for (first, weights) in (1..).step_by(AT_ONCE).zip(fours) {
-        add_at_once(sums, first, weights, at, pair);
-    }
-    for (k, weight) in (1 + (fours.len() * AT_ONCE) as isize..).zip(rest) {
-        add_at_once(sums, k, &[*weight], at, pair);
-    }
-}
-
-#[inline(always)]
-fn add_at_once<'a, const N: usize>(
-    sums: &mut [f32],
-    first: isize,
-    weights: &[f32; N],
-    at: &dyn Fn(isize) -> &'a [f32],
-    pair: impl Fn(f32, f32) -> f32,
-) {
-    let count = sums.len();
-    let before: [&[f32]; N] = std::array::from_fn(|i| &at(-first - i as isize)[..count]);
-    let after: [&[f32]; N] = std::array::from_fn(|i| &at(first + i as isize)[..count]);
-    for (x, sum) in sums.iter_mut().enumerate() {
-        for i in 0..N {
-            *sum += weights[i] * pair(before[i][x], after[i][x]);
+    for (k, weight) in (0..).zip(half).skip(1) {
+        for ((sum, before), after) in sums.iter_mut().zip(at(-k)).zip(at(k)) {
+            *sum += weight * (after - before);
         }
     }
 }
