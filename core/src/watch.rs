@@ -39,7 +39,7 @@ impl Watch {
     }
 
     /// How far it has come, 0 to 1, where that is not a sum of equal parts.
-    pub(crate) fn reach(&self, share: f32) {
+    pub fn reach(&self, share: f32) {
         const PARTS: f32 = 10_000.0;
         self.expect(PARTS as u64);
         self.done.fetch_max((share.clamp(0.0, 1.0) * PARTS) as u64, Ordering::Relaxed);

@@ -12,6 +12,7 @@ use cloudwright_core::image::Picture;
 use cloudwright_core::random::draw;
 use cloudwright_core::raster::{develop, fast, truth};
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::watch::Watch;
 
 const SIZE: [u32; 2] = [128, 72];
 
@@ -33,7 +34,7 @@ pub fn make() -> Vec<(&'static str, Picture, Picture)> {
 }
 
 fn true_picture(frame: &Frame<'_>) -> Picture {
-    develop(&truth::linear_picture(frame, truth::SIDE, &|_| ()), frame.exposure)
+    develop(&truth::linear_picture(frame, truth::SIDE, &Watch::default()), frame.exposure)
 }
 
 /// A shipped scene from one of its cameras, so many hours later than it is saved for.

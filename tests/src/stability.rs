@@ -19,6 +19,7 @@ use cloudwright_core::raster::{plain, truth};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::{Atlas, PlacedCloud, Sprite};
 use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::watch::Watch;
 use glam::DVec3;
 
 /// A name and a camera for each step of 1/60 s.
@@ -157,7 +158,10 @@ pub fn pixel_change(scene: &Scene, cameras: &[Camera], (rule, sorting): (FacingR
             };
             Frame::of(scene, &derived, Atlas::built_in(), &sight)
         };
-        let now = [plain::linear_picture(&frame(&history)), truth::linear_picture(&frame(&true_history), 1, &|_| ())];
+        let now = [
+            plain::linear_picture(&frame(&history)),
+            truth::linear_picture(&frame(&true_history), 1, &Watch::default()),
+        ];
         if let Some(then) = &before {
             let change = |which: usize, i: usize| {
                 let (a, b) = (then[which].pixels[i], now[which].pixels[i]);

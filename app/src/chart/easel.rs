@@ -12,6 +12,7 @@ use cloudwright_core::method::{Drawn, Method, Renderer};
 use cloudwright_core::raster::develop;
 use cloudwright_core::scene::Camera;
 use cloudwright_core::view_history::{STEP_S, ViewHistory};
+use cloudwright_core::watch::Watch;
 use cloudwright_render::{AdapterChoice, Gpu, PassClock};
 use std::borrow::Cow;
 use std::time::Instant;
@@ -115,7 +116,7 @@ impl<'a> Easel<'a> {
         let start = Instant::now();
         let settings = &self.method.settings;
         let (frame, gpu) = self.frame(at_s);
-        if settings.picture(&frame).is_some() {
+        if settings.picture(&frame, &Watch::default()).is_some() {
             let frame_ms = ms(start);
             return Ok(Times { frame_ms, cpu_ms: frame_ms, gpu_ms: None });
         }

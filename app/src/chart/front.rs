@@ -32,6 +32,20 @@ pub fn front(points: &[Option<[f64; 2]>]) -> Vec<bool> {
     on_front
 }
 
+/// The corners of the front as a stepped line, from `top`, where errors end, to `right`, where costs do; of `best`, the
+/// places on a sheet of what is on the front. A method is as wrong as it is until the next one's cost is paid.
+pub fn outline(mut best: Vec<[f64; 2]>, top: f64, right: f64) -> Vec<[f64; 2]> {
+    best.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let Some(first) = best.first() else { return best };
+    let mut corners = vec![[first[0], top]];
+    for point in &best {
+        let last = corners[corners.len() - 1];
+        corners.extend([[point[0], last[1]], *point]);
+    }
+    corners.push([right, corners[corners.len() - 1][1]]);
+    corners
+}
+
 /// The cheapest method that one can choose whose mean FLIP is at most `tolerance`; the truer of two that cost the same.
 pub fn cheapest_within(methods: &[Method], tolerance: f64) -> Option<&Method> {
     let within = methods.iter().filter_map(|method| {

@@ -12,6 +12,7 @@ pub mod front;
 pub mod gallery;
 pub mod heat;
 pub mod html;
+pub(crate) mod log_axis;
 pub mod report;
 pub mod run;
 pub mod subject;

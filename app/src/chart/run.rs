@@ -17,6 +17,11 @@ use cloudwright_core::method::{Family, Renderer};
 const TIMED: usize = 3;
 /// How long the truth draws, in frames of another method: for the progress only.
 const TRUTH_WEIGHT: usize = 30;
+/// A place along a path is two frames of another method.
+const ERROR_WEIGHT: usize = 2;
+
+/// Hears all that is known after each step; an error ends the run.
+pub type Keep<'a, E> = dyn FnMut(&Report) -> Result<(), E> + 'a;
 
 /// A chart that is being made.
 pub struct Run<'a> {
@@ -62,8 +67,8 @@ impl<'a> Run<'a> {
         };
         let seats: Vec<Seat<'_>> = easels.into_iter().map(seat).collect();
         let (places, repeat) = (subject.places(), repeat.max(1) as usize);
-        let errors = places.len() * (TRUTH_WEIGHT + 2 * seats.len());
-        let work = errors + (repeat + 1) * TIMED.min(places.len()) * seats.len();
+        let errors = places.len() * (TRUTH_WEIGHT + ERROR_WEIGHT * seats.len());
+        let work = errors + (1 + (repeat + 1) * TIMED.min(places.len())) * seats.len();
         let head = Report { methods: Vec::new(), ..known };
         Self { truth, seats, places, repeat, truths: Vec::new(), head, progress, done: 0, work }
     }
@@ -76,68 +81,60 @@ impl<'a> Run<'a> {
         report
     }
 
-    /// Measures what errors and stability are not known yet; `keep` is called after each place.
+    /// Measures what errors and stability are not known yet; `keep` is called after each step.
     ///
     /// # Errors
     /// Those of `keep`. The truth has none, since it needs no adapter.
-    pub fn measure_errors<E: From<RenderError>>(
-        &mut self,
-        keep: &mut dyn FnMut(&Report) -> Result<(), E>,
-    ) -> Result<(), E> {
+    pub fn measure_errors<E: From<RenderError>>(&mut self, keep: &mut Keep<'_, E>) -> Result<(), E> {
         for place in self.places.clone() {
             let at_s = place.first().copied().unwrap_or_default();
             let lacks = |seat: &Seat<'_>| !seat.figures.frames.iter().any(|frame| frame.at_s == at_s);
-            if self.seats.iter().any(lacks) {
-                self.head.unfinished = true;
-                let truths = shots(&mut self.truth, &place)?;
-                self.truths.extend(truths.first().map(|shot| (at_s, shot.picture.clone())));
-                self.each(|seat| {
-                    if lacks(seat) {
-                        let drawn = if seat.is_truth() { truths.clone() } else { shots(&mut seat.easel, &place)? };
-                        seat.figures.frames.push(FrameFigures::of(at_s, &drawn, &truths));
-                        seat.figures.sum_up();
-                    }
-                    Ok(())
-                });
-                keep(&self.report())?;
-            }
-            self.advance(TRUTH_WEIGHT + 2 * self.seats.len());
+            let is_lacking = self.seats.iter().any(lacks);
+            self.head.unfinished |= is_lacking;
+            let truths = if is_lacking { shots(&mut self.truth, &place)? } else { Vec::new() };
+            self.truths.extend(truths.first().map(|shot| (at_s, shot.picture.clone())));
+            self.advance(TRUTH_WEIGHT);
+            self.each(keep, ERROR_WEIGHT, |seat| {
+                if lacks(seat) {
+                    let drawn = if seat.is_truth() { truths.clone() } else { shots(&mut seat.easel, &place)? };
+                    seat.figures.frames.push(FrameFigures::of(at_s, &drawn, &truths));
+                    seat.figures.sum_up();
+                }
+                Ok(())
+            })?;
         }
         Ok(())
     }
 
-    /// Measures costs, if one is not known; `keep` is called after each round.
+    /// Measures costs, if one is not known; `keep` is called after each step. What it hears before the first round has
+    /// been counted is of the round that warms up.
     ///
     /// # Errors
     /// Those of `keep`.
-    pub fn measure_costs<E>(&mut self, keep: &mut dyn FnMut(&Report) -> Result<(), E>) -> Result<(), E> {
+    pub fn measure_costs<E>(&mut self, keep: &mut Keep<'_, E>) -> Result<(), E> {
         if !self.head.unfinished && self.seats.iter().all(|seat| seat.figures.cost.frame_ms.is_some()) {
             return Ok(());
         }
+        self.head.unfinished = true;
         let firsts: Vec<f64> = self.places.iter().filter_map(|place| place.first().copied()).collect();
         let timed: Vec<f64> = firsts.iter().copied().step_by(firsts.len().div_ceil(TIMED).max(1)).collect();
         for round in 0..=self.repeat {
-            self.each(|seat| {
+            for seat in &mut self.seats {
                 if round <= 1 {
-                    // What came before was to warm up.
                     seat.rounds.clear();
                 }
                 seat.rounds.push(Vec::new());
-                Ok(())
-            });
-            for at_s in &timed {
-                self.each(|seat| seat.time(*at_s));
-                self.advance(self.seats.len());
             }
-            self.head.unfinished = round < self.repeat;
-            self.each(|seat| {
-                let counts = if round == 0 { seat.counts(&timed) } else { seat.figures.cost.counts.clone() };
-                seat.figures.cost = Cost { counts, ..seat.cost() };
-                Ok(())
-            });
-            keep(&self.report())?;
+            for at_s in &timed {
+                self.each(keep, 1, |seat| seat.time(*at_s))?;
+            }
         }
-        Ok(())
+        self.each(keep, 1, |seat| {
+            seat.figures.cost.counts = seat.counts(&timed);
+            Ok(())
+        })?;
+        self.head.unfinished = false;
+        keep(&self.report())
     }
 
     /// Draws what the page shows: the place where there is something to see, and methods differ.
@@ -152,12 +149,12 @@ impl<'a> Run<'a> {
             None => self.truth.draw(at_s)?.picture,
         };
         let mut gallery = Gallery::new(truth);
-        self.each(|seat| {
+        self.each(&mut |_| Ok::<(), RenderError>(()), 0, |seat| {
             if !seat.is_truth() {
                 gallery.hang(seat.easel.method, seat.easel.draw(at_s)?.picture);
             }
             Ok(())
-        });
+        })?;
         Ok(gallery)
     }
 
@@ -171,16 +168,27 @@ impl<'a> Run<'a> {
         places.max_by(|a, b| worth(*a).total_cmp(&worth(*b))).unwrap_or_default()
     }
 
-    /// Does something for each method; one that fails is left out from here on.
-    fn each(&mut self, mut work: impl FnMut(&mut Seat<'_>) -> Result<(), RenderError>) {
-        let left_out = &mut self.head.left_out;
-        self.seats.retain_mut(|seat| match work(seat) {
-            Ok(()) => true,
-            Err(error) => {
-                left_out.push(LeftOut { name: seat.figures.name.clone(), reason: error.to_string() });
-                false
+    /// Does something for each method, of some `weight`, and keeps what is known then; one that fails is left out from
+    /// here on.
+    fn each<E>(
+        &mut self,
+        keep: &mut Keep<'_, E>,
+        weight: usize,
+        mut work: impl FnMut(&mut Seat<'_>) -> Result<(), RenderError>,
+    ) -> Result<(), E> {
+        let mut index = 0;
+        while let Some(seat) = self.seats.get_mut(index) {
+            match work(seat) {
+                Ok(()) => index += 1,
+                Err(error) => {
+                    let name = self.seats.remove(index).figures.name;
+                    self.head.left_out.push(LeftOut { name, reason: error.to_string() });
+                }
             }
-        });
+            self.advance(weight);
+            keep(&self.report())?;
+        }
+        Ok(())
     }
 
     fn advance(&mut self, work: usize) {
@@ -201,6 +209,8 @@ impl Seat<'_> {
                 round.push(times);
             }
         }
+        let counts = std::mem::take(&mut self.figures.cost.counts);
+        self.figures.cost = Cost { counts, ..self.cost() };
         Ok(())
     }
 

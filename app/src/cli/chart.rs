@@ -1,6 +1,6 @@
 //! `cloudwright chart`: what each way to draw costs and gets wrong, for one scene.
 //!
-//! Writes `chart.html` and `chart.json` into a folder. The JSON is written after each step; a run that was broken off
+//! Writes `chart.html` and `chart.json` into a folder. The JSON grows while it measures; a run that was broken off
 //! goes on where it stopped, if scene and options are the same.
 
 mod choice;
@@ -21,6 +21,10 @@ use cloudwright_core::scene::Scene;
 use cloudwright_render::AdapterChoice;
 use std::fmt::Write;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
+
+/// What is done is kept so often.
+const KEPT_EVERY: Duration = Duration::from_secs(1);
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
@@ -108,7 +112,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let hear = |share| progress.set(share);
     let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?;
     let mut run = Run::new(&subject, truth, easels, arguments.repeat, known, &hear);
-    let mut keep = |report: &Report| write_report(&json, report);
+    let mut kept_at = None::<Instant>;
+    let mut keep = |report: &Report| {
+        // More often than that would cost more than what it saves.
+        if kept_at.is_none_or(|kept_at| kept_at.elapsed() >= KEPT_EVERY) {
+            write_report(&json, report)?;
+            kept_at = Some(Instant::now());
+        }
+        Ok::<(), Failure>(())
+    };
     run.measure_errors(&mut keep)?;
     let gallery = run.draw()?;
     let write_page = |report: &Report| {
@@ -123,7 +135,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     write_page(&run.report())?;
     run.measure_costs(&mut keep)?;
     let report = run.report();
-    keep(&report)?;
+    write_report(&json, &report)?;
     write_page(&report)?;
     drop(progress);
     if arguments.json {

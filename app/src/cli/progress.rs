@@ -1,9 +1,9 @@
 //! A progress bar on stderr for what takes over half a second, if a person is there to see it.
 
+use cloudwright_core::watch::Watch;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicU32, Ordering};
 use std::sync::mpsc::{RecvTimeoutError, Sender, channel};
 use std::thread::JoinHandle;
 use std::time::Duration;
@@ -17,8 +17,8 @@ const WITH_TIME_LEFT: &str = "{spinner} {msg} {bar:30} {percent:>3} % {elapsed},
 
 /// Runs until dropped.
 pub(super) struct Progress {
-    /// Thousandths done; none known as long as it is 0.
-    done: Arc<AtomicU32>,
+    /// How far it is; not known as long as that is 0.
+    watch: Arc<Watch>,
     /// Dropping it ends the thread.
     stop: Option<Sender<()>>,
     thread: Option<JoinHandle<()>>,
@@ -27,8 +27,8 @@ pub(super) struct Progress {
 impl Progress {
     /// Begins a task; `what` stands beside the bar.
     pub(super) fn start(what: &str) -> Self {
-        let done = Arc::new(AtomicU32::new(0));
-        let mut progress = Self { done: Arc::clone(&done), stop: None, thread: None };
+        let watch = Arc::new(Watch::default());
+        let mut progress = Self { watch: Arc::clone(&watch), stop: None, thread: None };
         if std::io::stderr().is_terminal() {
             let (stop, stopped) = channel::<()>();
             let what = what.to_owned();
@@ -39,11 +39,11 @@ impl Progress {
                 }
                 let bar = bar(&what);
                 while stopped.recv_timeout(STEP) == Err(RecvTimeoutError::Timeout) {
-                    let position = done.load(Ordering::Relaxed);
+                    let position = (watch.share() * PARTS as f32) as u64;
                     if position > 0 && bar.position() == 0 {
                         bar.set_style(style(WITH_TIME_LEFT));
                     }
-                    bar.set_position(position.into());
+                    bar.set_position(position);
                     bar.tick();
                 }
                 bar.finish_and_clear();
@@ -54,7 +54,12 @@ impl Progress {
 
     /// Says how far it has come, 0 to 1; from any thread.
     pub(super) fn set(&self, share: f32) {
-        self.done.fetch_max((share.clamp(0.0, 1.0) * PARTS as f32) as u32, Ordering::Relaxed);
+        self.watch.reach(share);
+    }
+
+    /// For what tells itself how far it has come.
+    pub(super) fn watch(&self) -> &Watch {
+        &self.watch
     }
 }
 

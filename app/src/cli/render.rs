@@ -91,7 +91,7 @@ fn truth<'a>(arguments: &Arguments, frame: impl Fn([u32; 2]) -> Frame<'a>) -> Re
     let frame = frame(arguments.size);
     painter::tell_what_is_left_out(&frame);
     let progress = Progress::start("rendering the truth");
-    let linear = raster::truth::linear_picture(&frame, side, &|share| progress.set(share));
+    let linear = raster::truth::linear_picture(&frame, side, progress.watch());
     Ok(raster::develop(&linear, frame.exposure))
 }
 

@@ -6,12 +6,7 @@ use super::{input, say};
 use crate::opening;
 use cloudwright_core::document::Document;
 use cloudwright_core::thin::{ThinError, thin};
-use cloudwright_core::watch::Watch;
 use std::path::PathBuf;
-use std::time::Duration;
-
-/// Between two looks at how far it has come.
-const LOOK: Duration = Duration::from_millis(100);
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -40,21 +35,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     input::check_scene_name(&arguments.output)?;
     input::check_output(&arguments.scene, &arguments.output)?;
     let progress = Progress::start("thinning");
-    let watch = Watch::default();
-    let thinned = std::thread::scope(|scope| {
-        let work = scope.spawn(|| thin(&scene, beside.sheet(), arguments.tolerance, &watch));
-        while !work.is_finished() {
-            progress.set(watch.share());
-            std::thread::sleep(LOOK);
-        }
-        work.join()
-    });
+    let thinned = thin(&scene, beside.sheet(), arguments.tolerance, progress.watch());
     drop(progress);
-    let thinned = match thinned {
-        Ok(Ok(thinned)) => thinned,
-        Ok(Err(error)) => return Err(failure(&error)),
-        Err(panic) => std::panic::resume_unwind(panic),
-    };
+    let thinned = thinned.map_err(|error| failure(&error))?;
     let mut document = Document::new(scene);
     let done = document.edit("Thin", thinned.edits);
     done.map_err(|error| Failure::could_not(error.to_string(), "report this"))?;

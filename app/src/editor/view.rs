@@ -2,6 +2,7 @@
 
 use super::selection::{Item, Selection, is_in};
 use cloudwright_core::draw_list::{Hidden, Sorting};
+use cloudwright_core::method::Method;
 use cloudwright_core::scene::{Cloud, PathId, Scene};
 use std::collections::BTreeSet;
 
@@ -80,8 +81,10 @@ pub struct ViewState {
     pub sprite_marks: SpriteMarks,
     /// Boxes and sprites in the tints of their shading groups.
     pub group_view: bool,
-    /// When sprites are sorted again.
+    /// When sprites are sorted again, unless a method says so.
     pub sorting: Sorting,
+    /// By which method the picture is drawn; none for the window's own way.
+    pub method: Option<&'static Method>,
     /// The key that is worked on, of a path that is selected.
     pub path_key: Option<(PathId, usize)>,
     /// Clouds and boxes that are not drawn.

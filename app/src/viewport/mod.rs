@@ -6,6 +6,7 @@
 
 mod bounds;
 mod box_tool;
+mod brush;
 mod cameras;
 mod faces;
 mod fly;
@@ -14,6 +15,7 @@ mod hud;
 mod level_handles;
 mod marks;
 mod marquee;
+mod memory;
 mod navigation;
 mod overlay;
 mod paths;
@@ -25,16 +27,17 @@ mod ride;
 mod screen;
 mod steer;
 mod targets;
-mod way;
 mod wireframe;
 
 use crate::editor::{Action, Choose, Item, Selection, Session, Tool, ViewChange};
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use box_tool::BoxTool;
+use brush::{Brush, Place};
 use cloudwright_core::camera::View;
+use cloudwright_core::facing::FacingMemory;
+use cloudwright_core::method::Settings;
 use cloudwright_core::scene::{Camera, PathId};
-use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, pos2};
 use faces::Faces;
@@ -46,18 +49,18 @@ use marquee::Marquee;
 use navigation::Navigation;
 use paths::Paths;
 use pick::{Clicks, Picked};
-use picture::{PictureSource, Shot};
+use picture::PictureSource;
 use pilot::Pilot;
 use ride::{Ride, Seat};
 use screen::Screen;
 use std::time::Duration;
-use way::Way;
 
 /// How the scene is looked at.
 pub(crate) struct Viewport {
     navigation: Navigation,
     pilot: Pilot,
-    way: Way,
+    /// What the picture is drawn by.
+    brush: Brush,
     ride: Option<Ride>,
     picture: PictureSource,
     marks: Marks,
@@ -80,7 +83,7 @@ impl Viewport {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             pilot: Pilot::default(),
-            way: Way::default(),
+            brush: Brush::default(),
             ride: None,
             picture: PictureSource::new(context, choice, device),
             marks: Marks::default(),
@@ -112,7 +115,7 @@ impl Viewport {
         });
         let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
         self.leave();
-        self.way.begin_anew();
+        self.brush.begin_anew();
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
 
@@ -120,7 +123,7 @@ impl Viewport {
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = bounds::bounds(selection, session) {
             self.leave();
-            self.way.begin_anew();
+            self.brush.begin_anew();
             self.navigation.frame(center, radius);
         }
     }
@@ -149,7 +152,7 @@ impl Viewport {
     /// Ends the flight along a path; the view is the one from before.
     pub(crate) fn get_off(&mut self) {
         if let Some(ride) = self.ride.take() {
-            self.way.begin_anew();
+            self.brush.begin_anew();
             self.navigation = ride.before;
         }
     }
@@ -165,7 +168,7 @@ impl Viewport {
     }
 
     /// Which renderer draws.
-    pub(crate) fn renderer_name(&self) -> &str {
+    pub(crate) fn renderer_name(&self) -> String {
         self.picture.renderer_name()
     }
 
@@ -203,11 +206,11 @@ impl Viewport {
             let screen = Screen::new(self.camera(), rect);
             steer::steer(&mut self.navigation, ui, &response, &screen, reading);
         }
-        let seat = self.keep_seat(seat, reading);
+        let seat = self.keep_seat(seat);
         let screen = Screen::new(self.camera(), rect);
         let painter = ui.painter_at(rect);
-        let history = self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
-        self.marks.paint(&painter, &screen, &history.facing, reading);
+        let facing = self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
+        self.marks.paint(&painter, &screen, &facing, reading);
         wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
         cameras::paint(&painter, &screen, reading);
         let ridden = self.ride.as_ref().map(|ride| ride.path);
@@ -241,18 +244,17 @@ impl Viewport {
         seat
     }
 
-    /// A hand that has moved the view since ends the flight here, and the view remembers what it has seen.
-    fn keep_seat(&mut self, seat: Option<Seat>, reading: &Reading<'_>) -> Option<Seat> {
+    /// A hand that has moved the view since ends the flight here.
+    fn keep_seat(&mut self, seat: Option<Seat>) -> Option<Seat> {
         let seat = seat?;
         if *self.navigation.camera() == seat.camera {
             return Some(seat);
         }
         self.ride = None;
-        self.way.go_on_from(&seat.camera, seat.history, reading.session.derived());
         None
     }
 
-    /// What the picture's view has seen on its way.
+    /// How sprites face the view, by what it has seen on its way.
     fn paint_picture(
         &mut self,
         ui: &Ui,
@@ -260,26 +262,18 @@ impl Viewport {
         painter: &Painter,
         seat: Option<&Seat>,
         reading: &Reading<'_>,
-    ) -> ViewHistory {
-        let session = reading.session;
+    ) -> FacingMemory {
+        let (session, view) = (reading.session, reading.view);
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
         let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round();
-        let size = [pixels.x as u32, pixels.y as u32];
-        let hidden = reading.view.hidden_in(session.scene());
-        let camera = self.navigation.camera().clone();
-        let history = match seat {
-            Some(seat) => seat.history.clone(),
-            None => self.way.follow(&camera, session.derived(), reading.view.sorting).clone(),
-        };
-        let shot = Shot {
-            camera,
-            hour: reading.hour(),
-            clock_s: reading.clock.time_s(),
-            size,
-            hidden,
-            history: history.clone(),
-        };
+        let path = self.ride.as_ref().filter(|_| seat.is_some()).and_then(|ride| session.scene().path(ride.path));
+        let place = Place { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
+        let own = || Settings { sorting: view.sorting, ..self.picture.own_settings() };
+        let settings = view.method.map_or_else(own, |method| method.settings);
+        let shot = self.brush.shot(&settings, &place, reading);
+        // Marks are at all sprites, whatever is drawn.
+        let facing = if shot.clouds.is_none() { shot.history.facing.clone() } else { FacingMemory::default() };
         self.picture.ask(session, shot, quick);
         match self.picture.texture() {
             Some(texture) => {
@@ -290,7 +284,7 @@ impl Viewport {
                 painter.rect_filled(response.rect, 0.0, ui.visuals().extreme_bg_color);
             }
         }
-        history
+        facing
     }
 
     /// The tools: who gets the primary button is decided when it goes down.

@@ -1,7 +1,8 @@
 //! The picture in the viewport: drawn when something changed, and only then, so that an idle window does nothing.
 //!
 //! On a GPU it is drawn with the window's own device, into a texture that egui shows as it is. The CPU draws on a
-//! worker thread ([`by_cpu`]). A GPU that fails (its device lost, a scene too large for it) gives way to the CPU.
+//! worker thread ([`by_cpu`]), as it draws by every method but the device's own. A GPU that fails (its device lost, a
+//! scene too large for it) gives way to the CPU.
 
 mod by_cpu;
 mod by_gpu;
@@ -14,11 +15,13 @@ use by_gpu::ByGpu;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::frame::{Frame, Sight};
+use cloudwright_core::method::{Renderer, Settings};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::version::Version;
 use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
 use egui::TextureId;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// While a hand moves something, pictures should take no longer.
@@ -34,9 +37,10 @@ struct Key {
     shot: Shot,
 }
 
-/// How the scene is looked at.
+/// How the scene is looked at, and by which method.
 #[derive(Clone, PartialEq)]
 pub(super) struct Shot {
+    pub(super) settings: Settings,
     pub(super) camera: Camera,
     /// Local civil hours.
     pub(super) hour: f64,
@@ -48,29 +52,43 @@ pub(super) struct Shot {
     pub(super) hidden: Hidden,
     /// What the view has seen on its way.
     pub(super) history: ViewHistory,
+    /// Instead of the scene's own.
+    pub(super) clouds: Option<Clouds>,
+}
+
+/// Clouds that some sprites were dropped from.
+#[derive(Clone)]
+pub(super) struct Clouds(pub(super) Arc<Derived>);
+
+impl PartialEq for Clouds {
+    fn eq(&self, other: &Self) -> bool {
+        self.0.version() == other.0.version()
+    }
 }
 
 impl Shot {
-    fn frame<'a>(&self, scene: &Scene, derived: &'a Derived, beside: &'a Beside) -> Frame<'a> {
-        let Self { camera, hour, clock_s, size, hidden, history } = self;
+    /// `derived` are the scene's own clouds.
+    pub(super) fn frame<'a>(&'a self, scene: &Scene, derived: &'a Derived, beside: &'a Beside) -> Frame<'a> {
+        let Self { settings, camera, hour, clock_s, size, hidden, history, clouds } = self;
         let meshes = beside.meshes();
         let sight = Sight { camera, time_h: *hour, clock_s: *clock_s, size: *size, hidden, meshes, history };
-        Frame::of(scene, derived, beside.sheet(), &sight)
+        let derived = clouds.as_ref().map_or(derived, |clouds| &clouds.0);
+        settings.frame(scene, derived, beside.sheet(), &sight)
     }
 }
 
 /// Draws the viewport's pictures.
 pub(super) struct PictureSource {
     context: egui::Context,
-    source: Source,
+    /// The window's device, if it is to draw.
+    gpu: Option<Box<ByGpu>>,
+    /// Its thread begins with the first picture that it is asked for.
+    cpu: Option<ByCpu>,
+    /// Why the device draws no longer.
+    trouble: Option<String>,
     asked: Option<Key>,
     /// Of a picture's pixels, the side in the viewport's pixels.
     coarseness: u32,
-}
-
-enum Source {
-    Cpu(ByCpu),
-    Gpu(Box<ByGpu>),
 }
 
 impl PictureSource {
@@ -80,54 +98,71 @@ impl PictureSource {
             RendererChoice::Auto => device.and_then(ByGpu::new).filter(|gpu| !gpu.is_software()),
             RendererChoice::Gpu => device.and_then(ByGpu::new),
         };
-        let source = gpu.map_or_else(|| Source::Cpu(ByCpu::new(context)), |gpu| Source::Gpu(Box::new(gpu)));
-        Self { context: context.clone(), source, asked: None, coarseness: 1 }
+        let context = context.clone();
+        Self { context, gpu: gpu.map(Box::new), cpu: None, trouble: None, asked: None, coarseness: 1 }
     }
 
-    pub(super) fn renderer_name(&self) -> &str {
-        match &self.source {
-            Source::Cpu(cpu) => cpu.name(),
-            Source::Gpu(gpu) => gpu.name(),
+    /// What draws unless a method is chosen.
+    pub(super) fn own_settings(&self) -> Settings {
+        let renderer = if self.gpu.is_some() { Renderer::Gpu } else { Settings::SHIPPED.renderer };
+        Settings { renderer, ..Settings::SHIPPED }
+    }
+
+    /// The device, if the last picture is its.
+    fn gpu_in_use(&self) -> Option<&ByGpu> {
+        let by_gpu = self.asked.as_ref().is_none_or(|key| key.shot.settings.renderer == Renderer::Gpu);
+        self.gpu.as_deref().filter(|_| by_gpu)
+    }
+
+    /// What draws.
+    pub(super) fn renderer_name(&self) -> String {
+        match (self.gpu_in_use(), &self.trouble) {
+            (Some(gpu), _) => gpu.name().into(),
+            (None, None) => "CPU".into(),
+            (None, Some(trouble)) => format!("CPU ({trouble})"),
         }
     }
 
     /// What the last picture took: on a GPU, what it took to prepare and send off.
     pub(super) fn time(&self) -> Option<Duration> {
-        match &self.source {
-            Source::Cpu(cpu) => cpu.time(),
-            Source::Gpu(gpu) => gpu.time(),
+        match self.gpu_in_use() {
+            Some(gpu) => gpu.time(),
+            None => self.cpu.as_ref()?.last().map(|(time, _)| time),
         }
     }
 
     /// How often the last picture's pixels were blended over, in the mean, where that is known.
     pub(super) fn overdraw(&self) -> Option<f32> {
-        match &self.source {
-            Source::Cpu(cpu) => cpu.overdraw(),
-            Source::Gpu(_) => None,
-        }
+        self.cpu.as_ref().filter(|_| self.gpu_in_use().is_none())?.overdraw()
     }
 
     /// Has a picture drawn if it would be another than the last one. While a hand moves something, `quick` lets a slow
     /// renderer draw less.
     pub(super) fn ask(&mut self, session: &Session, mut shot: Shot, quick: bool) {
-        self.coarseness = match &self.source {
-            Source::Cpu(cpu) if quick => coarseness(self.coarseness, cpu.last()),
-            _ => 1,
-        };
+        if self.gpu.is_none() && shot.settings.renderer == Renderer::Gpu {
+            shot.settings.renderer = Settings::SHIPPED.renderer;
+        }
+        let by_gpu = shot.settings.renderer == Renderer::Gpu;
+        let last = self.cpu.as_ref().and_then(ByCpu::last);
+        self.coarseness = if quick && !by_gpu { coarseness(self.coarseness, last) } else { 1 };
         shot.size = shot.size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
         let key = Key { revision: session.revision(), shot };
         if self.asked.as_ref() == Some(&key) {
             return;
         }
-        match &mut self.source {
-            Source::Cpu(cpu) => cpu.ask(session, &key.shot, self.coarseness),
-            Source::Gpu(gpu) => {
+        match self.gpu.as_mut().filter(|_| by_gpu) {
+            Some(gpu) => {
+                self.cpu = None;
                 if let Err(error) = gpu.draw(session, &key.shot) {
-                    let mut cpu = ByCpu::new(&self.context);
-                    cpu.explain(&error);
-                    cpu.ask(session, &key.shot, self.coarseness);
-                    self.source = Source::Cpu(cpu);
+                    self.trouble = Some(error.to_string());
+                    self.gpu = None;
+                    self.context.request_repaint();
+                    return;
                 }
+            }
+            None => {
+                let cpu = self.cpu.get_or_insert_with(|| ByCpu::new(&self.context));
+                cpu.ask(session, &key.shot, self.coarseness);
             }
         }
         self.asked = Some(key);
@@ -135,10 +170,9 @@ impl PictureSource {
 
     /// The newest picture.
     pub(super) fn texture(&mut self) -> Option<TextureId> {
-        match &mut self.source {
-            Source::Cpu(cpu) => cpu.texture(),
-            Source::Gpu(gpu) => gpu.texture(),
-        }
+        let by_cpu = self.cpu.as_mut().and_then(ByCpu::texture);
+        // The device's last one stands in until the CPU has one.
+        by_cpu.or_else(|| self.gpu.as_ref().and_then(|gpu| gpu.texture()))
     }
 }
 

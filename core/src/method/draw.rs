@@ -9,6 +9,7 @@ use crate::raster::{develop, fast, plain, truth};
 use crate::scene::Scene;
 use crate::sprites::Atlas;
 use crate::variants::eight_bits;
+use crate::watch::Watch;
 use std::borrow::Cow;
 
 /// What a method makes of a frame.
@@ -43,7 +44,7 @@ impl Settings {
     pub fn draw(&self, frame: &Frame<'_>) -> Option<Drawn> {
         let (linear, clouds) = match self.renderer {
             Renderer::Truth => {
-                let (linear, clouds) = truth::picture_and_clouds(frame, self.samples_side, &|_| ());
+                let (linear, clouds) = truth::picture_and_clouds(frame, self.samples_side, &Watch::default());
                 (linear, Some(clouds))
             }
             Renderer::Fast { stop_below } => {
@@ -57,13 +58,14 @@ impl Settings {
         Some(drawn.reduced(self.pixels_a_pixel()))
     }
 
-    /// Draws a [`Settings::frame`] as a display shows it, with no more work than that takes; none on a GPU.
-    pub fn picture(&self, frame: &Frame<'_>) -> Option<Picture> {
+    /// Draws a [`Settings::frame`] as a display shows it, with no more work than that takes; none on a GPU. The truth,
+    /// which may take long, tells `watch` how far it is, and leaves the rest black once that is cancelled.
+    pub fn picture(&self, frame: &Frame<'_>, watch: &Watch) -> Option<Picture> {
         let side = self.pixels_a_pixel();
         let linear = match self.renderer {
             Renderer::Fast { stop_below } if side == 1 => return Some(fast::picture_stopping(frame, stop_below)),
             Renderer::Fast { stop_below } => fast::linear_picture_stopping(frame, stop_below),
-            Renderer::Truth => truth::linear_picture(frame, self.samples_side, &|_| ()),
+            Renderer::Truth => truth::linear_picture(frame, self.samples_side, watch),
             Renderer::Plain => plain::linear_picture(frame),
             Renderer::EightBits => eight_bits::linear_picture(frame),
             Renderer::Gpu => return None,

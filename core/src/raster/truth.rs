@@ -10,6 +10,7 @@ use super::{Hit, ScreenSprite, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture};
+use crate::watch::Watch;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Where less than this gets through, what lies behind is lost in the rounding of what lies before.
@@ -22,24 +23,27 @@ const AT_ONCE: usize = 24;
 pub const SIDE: u32 = 4;
 
 /// The frame in linear light, before exposure; as [`picture_and_clouds`].
-pub fn linear_picture(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sync)) -> LinearPicture {
-    picture_and_clouds(frame, side, progress).0
+pub fn linear_picture(frame: &Frame<'_>, side: u32, watch: &Watch) -> LinearPicture {
+    picture_and_clouds(frame, side, watch).0
 }
 
-/// The frame in linear light, before exposure, and its clouds alone, with `side` × `side` samples a pixel (at least one). `progress` hears
-/// the share done, 0 to 1, now and then and from any thread.
-pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, progress: &(dyn Fn(f32) + Sync)) -> (LinearPicture, Layer) {
+/// The frame in linear light, before exposure, and its clouds alone, with `side` × `side` samples a pixel (at least
+/// one). Once `watch` is cancelled, the rest stays black.
+pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, watch: &Watch) -> (LinearPicture, Layer) {
     let (width, height) = (frame.view.width, frame.view.height);
     let sprites = prepare(frame);
     let places = places_in_scene(frame);
     let (done, count) =
         (AtomicUsize::new(0), width.div_ceil(TILE as u32) as usize * height.div_ceil(TILE as u32) as usize);
     let drawn = map_tiles(&sprites, width, height, |rect, members| {
+        if watch.is_cancelled() {
+            return vec![Pixel::default(); (rect.width * rect.height) as usize];
+        }
         let tile = Tile { frame, sprites: &sprites, places: &places, members, side: side.max(1) };
         let pixels = (0..rect.width * rect.height)
             .map(|i| tile.pixel(rect.left + i % rect.width, rect.top + i / rect.width))
             .collect();
-        progress((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / count as f32);
+        watch.reach((done.fetch_add(1, Ordering::Relaxed) + 1) as f32 / count as f32);
         pixels
     });
     let pixels = assemble(&drawn, width, height, Pixel::default());

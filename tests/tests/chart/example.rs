@@ -12,6 +12,7 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::raster::{develop, fast, truth};
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::watch::Watch;
 use cloudwright_tests::authoring::SCENES;
 use glam::Vec3;
 
@@ -177,7 +178,7 @@ impl Drawn {
             .iter()
             .map(|example| {
                 if example.family == Truth {
-                    return develop(&truth::linear_picture(&frame, side, &|_| ()), frame.exposure);
+                    return develop(&truth::linear_picture(&frame, side, &Watch::default()), frame.exposure);
                 }
                 let mut frame = frame.clone();
                 (example.spoil)(&mut frame.list.sprites);

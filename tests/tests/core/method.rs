@@ -74,8 +74,9 @@ fn every_row_draws() {
         assert!(linear.pixels.iter().all(|pixel| pixel.to_array().iter().all(|x| x.is_finite())), "{}", method.name);
         assert!(clouds.is_none_or(|clouds| [clouds.width, clouds.height] == SIZE), "{}", method.name);
         // What is shown is what is measured, but for the fast way's roundings: a step of 8 bits.
-        let (shown, exposure) =
-            with_frame(method, &scene, &scene.cameras[0], |frame| (method.settings.picture(frame), frame.exposure));
+        let (shown, exposure) = with_frame(method, &scene, &scene.cameras[0], |frame| {
+            (method.settings.picture(frame, &Watch::default()), frame.exposure)
+        });
         let (shown, measured) = (shown.expect("on the CPU"), develop(&linear, exposure));
         let steps = shown.as_bytes().iter().zip(measured.as_bytes()).map(|(a, b)| a.abs_diff(*b));
         assert!(steps.max() <= Some(1), "{}", method.name);

@@ -7,13 +7,14 @@ use cloudwright_core::image::LinearPicture;
 use cloudwright_core::raster::{fast, prepare, truth};
 use cloudwright_core::scene::Scene;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::watch::Watch;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
 use glam::DVec3;
 
 fn draw(scene: &Scene, size: [u32; 2], side: u32, atlas: &Atlas) -> LinearPicture {
     let derived = Derived::new(scene);
     let frame = Frame::new(scene, &derived, atlas, &scene.cameras[0], scene.time_of_day_h, size);
-    truth::linear_picture(&frame, side, &|_| ())
+    truth::linear_picture(&frame, side, &Watch::default())
 }
 
 /// An atlas whose tiles have one alpha in the middle half of their sides, and are clear around it: so far from the
@@ -81,7 +82,7 @@ fn sorted_is_true_where_nothing_crosses() {
     let scene = single_sprites(&[(DVec3::new(-3.0, 1.0, -100.0), 60.0), (DVec3::new(4.0, -2.0, -300.0), 150.0)]);
     let derived = Derived::new(&scene);
     let frame = Frame::new(&scene, &derived, Atlas::built_in(), &scene.cameras[0], scene.time_of_day_h, [120, 120]);
-    let (truth, sorted) = (truth::linear_picture(&frame, 1, &|_| ()), fast::linear_picture(&frame));
+    let (truth, sorted) = (truth::linear_picture(&frame, 1, &Watch::default()), fast::linear_picture(&frame));
     let worst = truth.pixels.iter().zip(&sorted.pixels).map(|(a, b)| (a.g - b.g).abs()).fold(0.0, f32::max);
     assert!(worst < 0.02, "{worst}");
 }

@@ -4,13 +4,12 @@
 //! that neither is needed alone; colours come from `style.css`, which knows light and dark. Made by hand: a plotting
 //! library has no rails, no leading lines and no dark mode, and this needs no font on the machine that draws.
 
-mod axis;
 mod frame;
 mod labels;
 mod marks;
 
+use super::log_axis::LogAxis;
 use super::{Family, front, text};
-use axis::LogAxis;
 use labels::Rect;
 
 /// The colours and strokes of [`Plot::svg`]; a page has it once for all its charts.
@@ -119,18 +118,8 @@ impl<'a> Sheet<'a> {
         let choice = |mark: &Mark<'_>| (mark.family != Family::Failing).then_some(mark.at);
         let points: Vec<_> = self.plot.marks.iter().map(choice).collect();
         let on_front = front::front(&points);
-        let mut best: Vec<[f64; 2]> =
-            self.plot.marks.iter().zip(on_front).filter(|(_, on)| *on).map(|(mark, _)| self.at(mark.at)).collect();
-        best.sort_by(|a, b| a[0].total_cmp(&b[0]).then(b[1].total_cmp(&a[1])));
-        let Some(first) = best.first() else { return best };
-        let mut corners = vec![[first[0], self.field.y]];
-        for point in &best {
-            // As wrong as the last one, until this one's cost is paid.
-            let last = corners[corners.len() - 1];
-            corners.extend([[point[0], last[1]], *point]);
-        }
-        corners.push([self.field.x + self.field.width, corners[corners.len() - 1][1]]);
-        corners
+        let best = self.plot.marks.iter().zip(on_front).filter(|(_, on)| *on).map(|(mark, _)| self.at(mark.at));
+        front::outline(best.collect(), self.field.y, self.field.x + self.field.width)
     }
 }
 

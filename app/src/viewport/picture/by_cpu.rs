@@ -3,12 +3,13 @@
 use super::Shot;
 use crate::editor::Session;
 use crate::opening::Beside;
-use crate::renderer::{RenderError, Renderer};
 use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::overdraw;
+use cloudwright_core::method::Renderer;
 use cloudwright_core::scene::Scene;
+use cloudwright_core::watch::Watch;
 use egui::{Color32, ColorImage, TextureHandle, TextureId, TextureOptions};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -20,10 +21,12 @@ struct Request {
     beside: Beside,
     shot: Shot,
     coarseness: u32,
+    watch: Arc<Watch>,
 }
 
 struct Answer {
-    picture: Result<Picture, RenderError>,
+    /// None if it is not whole.
+    picture: Option<Picture>,
     time: Duration,
     coarseness: u32,
     /// Sprites blended on a pixel, in the mean; none while a gesture goes on.
@@ -34,7 +37,9 @@ pub(super) struct ByCpu {
     context: egui::Context,
     /// None if the system gives no thread: then there is no picture, but still an editor that can save.
     worker: Option<Latest<Request, Answer>>,
-    name: String,
+    /// Of the newest request.
+    watch: Arc<Watch>,
+    asked_coarseness: u32,
     texture: Option<TextureHandle>,
     last: Option<(Duration, u32)>,
     overdraw: Option<f32>,
@@ -44,20 +49,8 @@ impl ByCpu {
     pub(super) fn new(context: &egui::Context) -> Self {
         let wake = context.clone();
         let worker = Latest::start("pictures", |request| draw(&request), move || wake.request_repaint()).ok();
-        Self { context: context.clone(), worker, name: Renderer::Cpu.name(), texture: None, last: None, overdraw: None }
-    }
-
-    /// Why the CPU draws although a GPU was meant to.
-    pub(super) fn explain(&mut self, error: &cloudwright_render::RenderError) {
-        self.name = format!("{} ({error})", Renderer::Cpu.name());
-    }
-
-    pub(super) fn name(&self) -> &str {
-        &self.name
-    }
-
-    pub(super) fn time(&self) -> Option<Duration> {
-        self.last.map(|(time, _)| time)
+        let context = context.clone();
+        Self { context, worker, watch: Arc::default(), asked_coarseness: 1, texture: None, last: None, overdraw: None }
     }
 
     /// What the last picture took, and how coarse it was.
@@ -70,15 +63,20 @@ impl ByCpu {
     }
 
     pub(super) fn ask(&mut self, session: &Session, shot: &Shot, coarseness: u32) {
-        if let Some(worker) = &self.worker {
-            let (scene, derived, beside) = session.to_draw();
-            worker.ask(Request { scene, derived, beside, shot: shot.clone(), coarseness });
+        let Some(worker) = &self.worker else { return };
+        // What is overtaken is shown all the same, so that a drag shows something; but the whole truth takes too long.
+        if self.asked_coarseness == 1 {
+            self.watch.cancel();
         }
+        (self.watch, self.asked_coarseness) = (Arc::default(), coarseness);
+        let (scene, derived, beside) = session.to_draw();
+        let (shot, watch) = (shot.clone(), Arc::clone(&self.watch));
+        worker.ask(Request { scene, derived, beside, shot, coarseness, watch });
     }
 
     pub(super) fn texture(&mut self) -> Option<TextureId> {
         let answer = self.worker.as_ref().and_then(Latest::newest);
-        if let Some(Answer { picture: Ok(picture), time, coarseness, overdraw }) = answer {
+        if let Some(Answer { picture: Some(picture), time, coarseness, overdraw }) = answer {
             self.show(&picture);
             self.last = Some((time, coarseness));
             self.overdraw = overdraw.or(self.overdraw);
@@ -99,11 +97,18 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, beside, shot, coarseness } = request;
+    let Request { scene, derived, beside, shot, coarseness, watch } = request;
     let frame = shot.frame(scene, derived, beside);
-    let picture = Renderer::Cpu.picture(&frame, 1);
+    let is_whole = || shot.settings.renderer != Renderer::Truth || !watch.is_cancelled();
+    let picture = shot.settings.picture(&frame, watch).filter(|_| is_whole());
     let time = begun.elapsed();
     // Counted at rest only: it is nothing that a gesture should wait for.
     let overdraw = (*coarseness == 1).then(|| overdraw(&frame).mean_per_pixel as f32);
     Answer { picture, time, coarseness: *coarseness, overdraw }
+}
+
+impl Drop for ByCpu {
+    fn drop(&mut self) {
+        self.watch.cancel();
+    }
 }

@@ -7,6 +7,7 @@ use cloudwright_core::measure::{WrongOrder, wrong_order};
 use cloudwright_core::raster::{ScreenSprite, prepare, truth};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::watch::Watch;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
 use glam::DVec3;
 
@@ -176,7 +177,7 @@ fn bounds_the_error_against_the_truth() {
         let got = wrong_order(&frame);
         assert!(got.cost.largest() > 0.01, "the scene has something to get wrong");
         let sprites = prepare(&frame);
-        let truth = truth::linear_picture(&frame, 1, &|_| ());
+        let truth = truth::linear_picture(&frame, 1, &Watch::default());
         for (i, cost) in (0..).zip(&got.cost.values) {
             let (x, y) = (i % 80, i / 80);
             let fragments = listed(&frame, &sprites, x, y);

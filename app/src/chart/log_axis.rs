@@ -12,9 +12,9 @@ const LEAST: f64 = 1e-300;
 /// Ends of an axis lie beyond its values by this factor.
 const AIR: f64 = 1.15;
 
-/// From values to pixels; pixels may run either way.
+/// From values to places on a sheet, in pixels or any other unit; places may run either way.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct LogAxis {
+pub(crate) struct LogAxis {
     low: f64,
     high: f64,
     low_px: f64,
@@ -31,7 +31,7 @@ struct Rail {
 
 /// A line of the grid.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Tick {
+pub(crate) struct Tick {
     pub at_px: f64,
     /// Empty where there is no room for one.
     pub label: String,
