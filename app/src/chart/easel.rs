@@ -3,7 +3,6 @@
 use super::subject::{Eye, Subject};
 use crate::renderer::{RenderError, gpu_name};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::flight::Playback;
 use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::image::{Layer, LinearPicture, Picture};
@@ -136,7 +135,7 @@ impl<'a> Easel<'a> {
     }
 
     fn frame(&mut self, at_s: f64) -> (Frame<'_>, Option<&mut (Gpu, cloudwright_render::Renderer)>) {
-        let Subject { scene, atlas, meshes, size, time_h, .. } = self.subject;
+        let Subject { scene, atlas, meshes, size, time_h, hidden, .. } = self.subject;
         let flown;
         let (camera, history) = match &mut self.way {
             Way::Still(parts) => (&parts.0, &parts.1),
@@ -146,7 +145,6 @@ impl<'a> Easel<'a> {
                 (&flown, history)
             }
         };
-        let hidden = &Hidden::default();
         let sight = Sight { camera, time_h, clock_s: at_s, size, hidden, meshes, history };
         // All methods draw clouds alone: the CPU has no aircraft.
         let frame = Frame { models: Vec::new(), ..self.method.settings.frame(scene, &self.derived, atlas, &sight) };

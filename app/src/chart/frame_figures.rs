@@ -13,7 +13,7 @@ use serde::{Deserialize, Serialize};
 /// One frame by one method, against the truth.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct FrameFigures {
-    /// Seconds since the path's start; 0 for a still.
+    /// Of the scene's clock, seconds: since a path's start.
     pub at_s: f64,
     /// Wall time of drawing it, once, for figures; what a method costs is measured apart, but for the truth.
     pub drawn_ms: Figure,

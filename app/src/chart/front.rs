@@ -43,6 +43,7 @@ pub fn outline(mut best: Vec<[f64; 2]>, top: f64, right: f64) -> Vec<[f64; 2]> {
         corners.extend([[point[0], last[1]], *point]);
     }
     corners.push([right, corners[corners.len() - 1][1]]);
+    corners.dedup();
     corners
 }
 

@@ -5,6 +5,7 @@
 //! no other one beats; [`svg`] draws cost against error; [`heat`] colours a picture's errors; [`html`] puts it all on one
 //! page. But for `easel`, which reads the clock, these are pure functions: the same input gives the same bytes.
 
+pub(crate) mod choice;
 mod columns;
 pub mod easel;
 pub mod frame_figures;
@@ -12,6 +13,7 @@ pub mod front;
 pub mod gallery;
 pub mod heat;
 pub mod html;
+pub(crate) mod labels;
 pub(crate) mod log_axis;
 pub mod report;
 pub mod run;

@@ -2,6 +2,7 @@
 
 use super::report::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::scene::{Camera, CameraPath, Scene};
@@ -48,13 +49,17 @@ pub struct Subject<'a> {
     pub size: [u32; 2],
     /// Local civil hours.
     pub time_h: f64,
+    /// Of the scene's clock, seconds; along a path it begins with the flight.
+    pub clock_s: f64,
+    /// What is left out.
+    pub hidden: &'a Hidden,
 }
 
 impl Subject<'_> {
-    /// The moments to draw at each place, seconds of the flight: a frame and the next one; one alone for a still, or for
+    /// The moments to draw at each place, seconds of the clock: a frame and the next one; one alone for a still, or for
     /// a flight that has no second frame.
     pub fn places(&self) -> Vec<Vec<f64>> {
-        let Eye::Path(path) = self.eye else { return vec![vec![0.0]] };
+        let Eye::Path(path) = self.eye else { return vec![vec![self.clock_s]] };
         // Roundings don't cost a path its last frame.
         let steps = (PathCurve::new(path).duration_s() / FRAME_S + 1e-6).floor();
         if steps < 1.0 {

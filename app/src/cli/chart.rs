@@ -3,7 +3,6 @@
 //! Writes `chart.html` and `chart.json` into a folder. The JSON grows while it measures; a run that was broken off
 //! goes on where it stopped, if scene and options are the same.
 
-mod choice;
 mod known;
 
 use super::failure::Failure;
@@ -13,9 +12,10 @@ use crate::chart::easel::Easel;
 use crate::chart::report::Report;
 use crate::chart::run::Run;
 use crate::chart::subject::{Eye, Subject};
-use crate::chart::{front, html, report, text};
+use crate::chart::{choice, front, html, report, text};
 use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::method::{self, METHODS};
 use cloudwright_core::scene::Scene;
 use cloudwright_render::AdapterChoice;
@@ -88,8 +88,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
     let (atlas, meshes) = (beside.sheet(), beside.meshes());
-    let subject = Subject { scene: &scene, derived: &derived, atlas, meshes, eye, size: arguments.size, time_h };
-    let (easels, left_out) = choice::easels(&subject, &arguments.methods)?;
+    let (size, hidden) = (arguments.size, &Hidden::default());
+    let subject = Subject { scene: &scene, derived: &derived, atlas, meshes, eye, size, time_h, clock_s: 0.0, hidden };
+    let (easels, left_out) = choice::easels(&subject, &arguments.methods);
+    if easels.is_empty() {
+        let reasons: Vec<String> = left_out.iter().map(|one| format!("{}: {}", one.name, one.reason)).collect();
+        let what = format!("--methods: none is left: {}", reasons.join("; "));
+        return Err(Failure::argument(opening::one_line(&what), "leave --methods out for all that make sense"));
+    }
     let adapters: Vec<String> = easels.iter().filter_map(Easel::adapter).collect();
     let head = Report {
         scene: scene.name.clone(),

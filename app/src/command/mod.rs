@@ -202,6 +202,7 @@ commands! {
         GroupsPanel: "Shading groups", "Show the panel of shading groups.", NONE, Some(icon::STACK);
         SkyPanel: "Sky", "Show the panel of light, time and place.", NONE, Some(icon::SUN);
         FlightPanel: "Flight", "Show the panel of camera paths, aircraft and the scene's clock.", NONE, Some(icon::AIRPLANE_TILT);
+        ChartPanel: "Chart", "Show the panel of what each method costs and gets wrong.", NONE, Some(icon::CHART_SCATTER);
         HistoryPanel: "History", "Show the panel of changes.", NONE, Some(icon::CLOCK_COUNTER_CLOCKWISE);
         ProblemsPanel: "Problems", "Show the panel of what is wrong.", NONE, Some(icon::WARNING);
         ResetLayout: "Reset layout", "Put all panels back to their places.", NONE, None;

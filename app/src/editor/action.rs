@@ -1,10 +1,13 @@
 //! What panels and viewport ask for: they read the scene and return these; the editor alone carries them out.
 
+use super::charting::ChartChange;
 use super::clock::ClockChange;
 use super::selection::{Choose, Item};
+use super::view::Lens;
 use crate::command::Command;
 use cloudwright_core::document::Edit;
 use cloudwright_core::draw_list::Sorting;
+use cloudwright_core::method::Method;
 use cloudwright_core::scene::{AircraftId, CameraId, CloudId, PathId};
 
 /// Something to be done after the panels are drawn.
@@ -36,6 +39,8 @@ pub(crate) enum Action {
     },
     /// Something about how the scene is shown.
     View(ViewChange),
+    /// Something about what each method costs.
+    Chart(ChartChange),
     /// See what that camera sees.
     LookThrough(CameraId),
     /// Put that camera where the view is.
@@ -67,6 +72,10 @@ pub(crate) enum ViewChange {
     PathKey(Option<(PathId, usize)>),
     /// When sprites are sorted again.
     Sorting(Sorting),
+    /// Draw by that method, or by the window's own way.
+    Method(Option<&'static Method>),
+    /// Show the picture in another way.
+    Lens(Lens),
 }
 
 impl Action {

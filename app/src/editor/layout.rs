@@ -84,7 +84,7 @@ fn default_tree() -> Tree<Panel> {
     let outline = tabs(&[Panel::Outline]);
     let history = tabs(&[Panel::History, Panel::Problems]);
     let viewport = tabs(&[Panel::Viewport]);
-    let inspector = tabs(&[Panel::Inspector]);
+    let inspector = tabs(&[Panel::Inspector, Panel::Chart]);
     let looks = tabs(&[Panel::ColorLevels, Panel::ShadingGroups, Panel::Sky, Panel::Flight]);
     let mut split = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(id, _)| *id).collect());

@@ -6,6 +6,7 @@
 
 mod action;
 mod autosave;
+mod charting;
 mod clock;
 mod desk;
 mod dialogs;
@@ -30,6 +31,7 @@ mod view;
 mod window;
 
 pub(crate) use action::{Action, ViewChange};
+pub(crate) use charting::{ChartChange, Charting, WIDTHS_PX};
 pub(crate) use clock::{CLOCK_SPEED, Clock, ClockChange};
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use selection::{Choose, Item, Selection};
@@ -37,7 +39,7 @@ pub(crate) use selection::{aircraft_of, box_of, camera_of, group_of};
 pub use session::{Pending, Session};
 pub(crate) use starter::scene as starter_scene;
 pub(crate) use time_play::{MAX_STEP_S, TimePlay};
-pub use view::{Snap, SpriteMarks, Tool, ViewState};
+pub use view::{Lens, Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
 use crate::command::{self, Command};
@@ -72,6 +74,7 @@ pub struct Editor {
     thinning: Option<Thinning>,
     time_play: TimePlay,
     clock: Clock,
+    charting: Charting,
     recording: Option<Recording>,
     /// The camera that was looked through last by the key.
     last_camera: Option<CameraId>,
@@ -121,6 +124,7 @@ impl Editor {
             thinning: None,
             time_play: TimePlay::default(),
             clock: Clock::default(),
+            charting: Charting::default(),
             recording: None,
             last_camera: None,
             copied_levels: None,
@@ -232,7 +236,18 @@ impl Editor {
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
         let Self {
-            session, view, viewport, layout, thumbnails, time_play, clock, recording, copied_levels, desk, ..
+            session,
+            view,
+            viewport,
+            layout,
+            thumbnails,
+            time_play,
+            clock,
+            charting,
+            recording,
+            copied_levels,
+            desk,
+            ..
         } = self;
         let reading = Reading {
             session,
@@ -240,6 +255,7 @@ impl Editor {
             thumbnails,
             time_play,
             clock,
+            charting,
             copied_levels: copied_levels.as_ref(),
             view_heading_deg: viewport.camera().heading_deg,
             levels_shown: layout.shows(Panel::ColorLevels),
@@ -279,6 +295,7 @@ impl eframe::App for Editor {
         self.drop_gesture_on_escape(&context);
         self.run_time(&context);
         self.run_clock(&context);
+        self.keep_chart(&context);
         let mut actions: Vec<Action> = Vec::new();
         if !self.is_asking() && !self.viewport.has_keys() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));

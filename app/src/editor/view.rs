@@ -45,6 +45,51 @@ impl SpriteMarks {
     }
 }
 
+/// What is seen of the picture.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Lens {
+    /// All of it.
+    #[default]
+    Picture,
+    /// Its left part, and right of a handle the truth.
+    Wipe,
+    /// How many sprites are blended at each pixel.
+    Overdraw,
+    /// What the order of whole sprites costs in colour.
+    WrongOrder,
+    /// How much it looks different from the truth.
+    Error,
+}
+
+impl Lens {
+    /// As they stand in the panel.
+    pub(crate) const ALL: [Self; 5] = [Self::Picture, Self::Wipe, Self::Overdraw, Self::WrongOrder, Self::Error];
+
+    /// For people.
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Picture => "Picture",
+            Self::Wipe => "Wipe",
+            Self::Overdraw => "Overdraw",
+            Self::WrongOrder => "Wrong order",
+            Self::Error => "Error",
+        }
+    }
+
+    /// What it shows.
+    pub(crate) fn help(self) -> &'static str {
+        match self {
+            Self::Picture => "The picture as it is.",
+            Self::Wipe => "The truth to the right of a handle that can be dragged.",
+            Self::Overdraw => "How many sprites are blended at each pixel: what clouds cost.",
+            Self::WrongOrder => {
+                "How much the pixel changes because whole sprites are put in order, not each ray's fragments."
+            }
+            Self::Error => "How much the picture looks different from the truth (FLIP).",
+        }
+    }
+}
+
 /// What gestures snap to.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Snap {
@@ -85,6 +130,8 @@ pub struct ViewState {
     pub sorting: Sorting,
     /// By which method the picture is drawn; none for the window's own way.
     pub method: Option<&'static Method>,
+    /// What is seen of the picture.
+    pub lens: Lens,
     /// The key that is worked on, of a path that is selected.
     pub path_key: Option<(PathId, usize)>,
     /// Clouds and boxes that are not drawn.

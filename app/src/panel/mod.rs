@@ -5,6 +5,7 @@
 mod aircraft;
 mod bars;
 mod camera;
+mod chart;
 mod checkerboard;
 mod cloud;
 mod cloud_box;
@@ -36,7 +37,7 @@ pub use preset_gallery::{category_gallery, preset_gallery};
 pub(crate) use status::status;
 pub(crate) use thinning::{THINNING_TOLERANCE, ThinAnswer, ask_thinning};
 
-use crate::editor::{Action, Clock, Session, TimePlay, ViewState};
+use crate::editor::{Action, Charting, Clock, Session, TimePlay, ViewState};
 use crate::theme::icon;
 use crate::thumbnail::Thumbnails;
 use crate::units::Units;
@@ -63,6 +64,8 @@ pub(crate) enum Panel {
     Sky,
     /// Camera paths, aircraft and the scene's clock.
     Flight,
+    /// What each method costs and gets wrong.
+    Chart,
     /// All changes.
     History,
     /// What is wrong with the scene.
@@ -82,6 +85,8 @@ pub(crate) struct Reading<'a> {
     pub(crate) time_play: &'a TimePlay,
     /// The scene's clock, and what is flown by it.
     pub(crate) clock: &'a Clock,
+    /// What was measured of the scene.
+    pub(crate) charting: &'a Charting,
     /// Colour levels to paste.
     pub(crate) copied_levels: Option<&'a ColorLevels>,
     /// Clockwise from north: where the viewport looks.
@@ -115,6 +120,7 @@ impl Panel {
             Self::ShadingGroups => "Groups",
             Self::Sky => "Sky",
             Self::Flight => "Flight",
+            Self::Chart => "Chart",
             Self::History => "History",
             Self::Problems => "Problems",
         }
@@ -130,6 +136,7 @@ impl Panel {
             Self::ShadingGroups => icon::STACK,
             Self::Sky => icon::SUN,
             Self::Flight => icon::AIRPLANE_TILT,
+            Self::Chart => icon::CHART_SCATTER,
             Self::History => icon::CLOCK_COUNTER_CLOCKWISE,
             Self::Problems => icon::WARNING,
         }
@@ -145,6 +152,7 @@ impl Panel {
             Self::ShadingGroups => shading_groups::show(ui, reading, actions),
             Self::Sky => sky::show(ui, reading, actions),
             Self::Flight => flight::show(ui, reading, actions),
+            Self::Chart => chart::show(ui, reading, actions),
             Self::History => history::show(ui, reading, actions),
             Self::Problems => problems::show(ui, reading, actions),
         }

@@ -5,6 +5,7 @@ mod tint;
 
 pub(crate) use tint::{group_tint, tint_of, tints};
 
+use cloudwright_core::method::Family;
 use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Frame, Margin, RichText, Stroke, Style,
     Theme, Ui, Vec2, Visuals, vec2,
@@ -244,6 +245,18 @@ pub(crate) fn overlay(ui: &Ui) -> Frame {
 /// What goes under a line, so that it is seen on bright clouds.
 pub(crate) fn casing(stroke: Stroke) -> Stroke {
     Stroke { width: stroke.width + 2.0, color: CASING }
+}
+
+/// A family of methods in charts: the colours of `chart.html`, told apart without red and green too.
+pub(crate) fn family(ui: &Ui, family: Family) -> Color32 {
+    let [light, dark] = match family {
+        Family::Truth => [[23, 33, 43], [232, 238, 243]],
+        Family::Shipped => [[10, 98, 176], [108, 182, 255]],
+        Family::Other => [[100, 116, 139], [147, 164, 181]],
+        Family::Failing => [[196, 80, 10], [255, 156, 90]],
+    };
+    let [r, g, b] = if ui.visuals().dark_mode { dark } else { light };
+    Color32::from_rgb(r, g, b)
 }
 
 /// What is worth a look.

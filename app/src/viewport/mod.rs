@@ -12,6 +12,7 @@ mod faces;
 mod fly;
 mod gizmo;
 mod hud;
+mod lens;
 mod level_handles;
 mod marks;
 mod marquee;
@@ -29,21 +30,22 @@ mod steer;
 mod targets;
 mod wireframe;
 
-use crate::editor::{Action, Choose, Item, Selection, Session, Tool, ViewChange};
+use crate::editor::{Action, Choose, Item, Lens, Selection, Session, Tool, ViewChange};
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use box_tool::BoxTool;
 use brush::{Brush, Place};
 use cloudwright_core::camera::View;
 use cloudwright_core::facing::FacingMemory;
-use cloudwright_core::method::Settings;
+use cloudwright_core::method::{self, Settings};
 use cloudwright_core::scene::{Camera, PathId};
 use eframe::egui_wgpu::RenderState;
-use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, pos2};
+use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, Vec2, pos2};
 use faces::Faces;
 use gizmo::GizmoHands;
 use glam::DVec3;
 use hud::Readout;
+use lens::LensSource;
 use marks::Marks;
 use marquee::Marquee;
 use navigation::Navigation;
@@ -61,6 +63,9 @@ pub(crate) struct Viewport {
     pilot: Pilot,
     /// What the picture is drawn by.
     brush: Brush,
+    /// The truth's, while a lens compares with it.
+    true_brush: Brush,
+    lens: LensSource,
     ride: Option<Ride>,
     picture: PictureSource,
     marks: Marks,
@@ -70,6 +75,8 @@ pub(crate) struct Viewport {
     gizmo: GizmoHands,
     faces: Faces,
     box_tool: BoxTool,
+    /// Width by height.
+    aspect: f32,
 }
 
 impl Viewport {
@@ -84,6 +91,8 @@ impl Viewport {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             pilot: Pilot::default(),
             brush: Brush::default(),
+            true_brush: Brush::default(),
+            lens: LensSource::new(context),
             ride: None,
             picture: PictureSource::new(context, choice, device),
             marks: Marks::default(),
@@ -93,6 +102,7 @@ impl Viewport {
             gizmo: GizmoHands::default(),
             faces: Faces::default(),
             box_tool: BoxTool::default(),
+            aspect: 16.0 / 9.0,
         };
         viewport.see(session);
         viewport
@@ -115,7 +125,7 @@ impl Viewport {
         });
         let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
         self.leave();
-        self.brush.begin_anew();
+        self.begin_anew();
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
 
@@ -123,7 +133,7 @@ impl Viewport {
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = bounds::bounds(selection, session) {
             self.leave();
-            self.brush.begin_anew();
+            self.begin_anew();
             self.navigation.frame(center, radius);
         }
     }
@@ -149,12 +159,23 @@ impl Viewport {
         self.ride = None;
     }
 
+    /// The view is put elsewhere, and has come no way.
+    fn begin_anew(&mut self) {
+        self.brush.begin_anew();
+        self.true_brush.begin_anew();
+    }
+
     /// Ends the flight along a path; the view is the one from before.
     pub(crate) fn get_off(&mut self) {
         if let Some(ride) = self.ride.take() {
-            self.brush.begin_anew();
+            self.begin_anew();
             self.navigation = ride.before;
         }
+    }
+
+    /// Width by height of the picture.
+    pub(crate) fn aspect(&self) -> f32 {
+        self.aspect
     }
 
     /// The camera of the view.
@@ -257,7 +278,7 @@ impl Viewport {
     /// How sprites face the view, by what it has seen on its way.
     fn paint_picture(
         &mut self,
-        ui: &Ui,
+        ui: &mut Ui,
         response: &Response,
         painter: &Painter,
         seat: Option<&Seat>,
@@ -266,12 +287,23 @@ impl Viewport {
         let (session, view) = (reading.session, reading.view);
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
         let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
-        let pixels = (response.rect.size() * ui.pixels_per_point()).round();
+        let pixels = (response.rect.size() * ui.pixels_per_point()).round().max(Vec2::ONE);
+        self.aspect = pixels.x / pixels.y;
         let path = self.ride.as_ref().filter(|_| seat.is_some()).and_then(|ride| session.scene().path(ride.path));
         let place = Place { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
         let own = || Settings { sorting: view.sorting, ..self.picture.own_settings() };
         let settings = view.method.map_or_else(own, |method| method.settings);
         let shot = self.brush.shot(&settings, &place, reading);
+        let is_compared = matches!(view.lens, Lens::Wipe | Lens::Error);
+        let truth = is_compared.then(|| self.true_brush.shot(&method::truth().settings, &place, reading));
+        if truth.is_none() {
+            self.true_brush = Brush::default();
+        }
+        match view.lens {
+            Lens::Picture => self.lens.put_away(),
+            _ if quick => self.lens.wait(),
+            lens => self.lens.ask(lens, session, shot.clone(), truth),
+        }
         // Marks are at all sprites, whatever is drawn.
         let facing = if shot.clouds.is_none() { shot.history.facing.clone() } else { FacingMemory::default() };
         self.picture.ask(session, shot, quick);
@@ -283,6 +315,10 @@ impl Viewport {
             None => {
                 painter.rect_filled(response.rect, 0.0, ui.visuals().extreme_bg_color);
             }
+        }
+        if view.lens != Lens::Picture {
+            let name = view.method.map_or("picture", |method| method.name);
+            self.lens.show(ui, painter, response.rect, view.lens, name);
         }
         facing
     }

@@ -106,6 +106,14 @@ fn cameras(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     });
     name_it(ui, &menu.response, "Cameras");
     menu.response.on_hover_text("Look through a camera");
+    if let Some(method) = reading.view.method {
+        let response = ui.button(format!("{} {}", icon::X, method.name));
+        name_it(ui, &response, &format!("Drawn by {}", method.name));
+        let help = format!("{} A click goes back to the window's own way.", method.about);
+        if response.on_hover_text(help).clicked() {
+            actions.push(Action::View(ViewChange::Method(None)));
+        }
+    }
 }
 
 /// What the primary button does, and how the view is moved.
@@ -147,6 +155,11 @@ fn at_the_foot(painter: &Painter, rect: Rect, text: &str) {
 /// Words at a place in the picture, their upper left corner.
 pub(super) fn label(painter: &Painter, at: Pos2, text: &str) {
     text_on_shade(painter, at, Align2::LEFT_TOP, text);
+}
+
+/// Words at a place in the picture, on the side that `align` says.
+pub(super) fn beside(painter: &Painter, at: Pos2, align: Align2, text: &str) {
+    text_on_shade(painter, at, align, text);
 }
 
 fn text_on_shade(painter: &Painter, at: Pos2, align: Align2, text: &str) {

@@ -1,8 +1,8 @@
 //! What stands still in a chart: grid, scales, rails, titles, legend, tolerance.
 
-use super::labels::Rect;
 use super::marks;
 use super::{Sheet, text_width};
+use crate::chart::labels::Rect;
 use crate::chart::{Family, text};
 use std::fmt::Write;
 

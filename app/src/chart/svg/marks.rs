@@ -1,8 +1,8 @@
 //! The front, the marks and their names.
 
 use super::frame;
-use super::labels::{self, Placed, Rect, Wanted};
 use super::{Mark, Sheet, text_width};
+use crate::chart::labels::{self, Placed, Rect, Wanted};
 use crate::chart::{Family, class, text};
 use std::fmt::Write;
 

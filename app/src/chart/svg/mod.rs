@@ -5,12 +5,11 @@
 //! library has no rails, no leading lines and no dark mode, and this needs no font on the machine that draws.
 
 mod frame;
-mod labels;
 mod marks;
 
+use super::labels::Rect;
 use super::log_axis::LogAxis;
 use super::{Family, front, text};
-use labels::Rect;
 
 /// The colours and strokes of [`Plot::svg`]; a page has it once for all its charts.
 pub const STYLE: &str = include_str!("style.css");

@@ -32,6 +32,7 @@ impl Editor {
                 Action::SetFromView(id) => self.set_from_view(id),
                 Action::Change { name, edits, live } => self.change(name, edits, live),
                 Action::View(change) => self.change_view(change),
+                Action::Chart(change) => self.change_chart(change, context),
                 Action::CancelPending => {
                     self.session.cancel_pending();
                     self.view.keep_what_is_in(self.session.scene());
@@ -215,6 +216,7 @@ impl Editor {
             Command::LevelsPanel => self.layout.bring_up(Panel::ColorLevels),
             Command::GroupsPanel => self.layout.bring_up(Panel::ShadingGroups),
             Command::FlightPanel => self.layout.bring_up(Panel::Flight),
+            Command::ChartPanel => self.layout.bring_up(Panel::Chart),
             Command::SkyPanel => self.layout.bring_up(Panel::Sky),
             Command::HistoryPanel => self.layout.bring_up(Panel::History),
             Command::ProblemsPanel => self.layout.bring_up(Panel::Problems),

@@ -17,6 +17,8 @@ impl Editor {
             ViewChange::Clock(change) => self.change_clock(change),
             ViewChange::PathKey(key) => view.path_key = key,
             ViewChange::Sorting(sorting) => view.sorting = sorting,
+            ViewChange::Method(method) => view.method = method,
+            ViewChange::Lens(lens) => view.lens = lens,
         }
     }
 

@@ -1,15 +1,14 @@
 //! Which methods a chart is of, and why others are not.
 
-use crate::chart::easel::Easel;
-use crate::chart::report::LeftOut;
-use crate::chart::subject::Subject;
-use crate::cli::failure::Failure;
+use super::easel::Easel;
+use super::report::LeftOut;
+use super::subject::Subject;
 use crate::renderer::RenderError;
 use cloudwright_core::method::{self, METHODS, Method, Renderer};
 use cloudwright_render::AdapterChoice;
 
-/// Those of the names `asked` for, or all that make a difference; ready to draw, and what is left out.
-pub(super) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> Result<(Vec<Easel<'a>>, Vec<LeftOut>), Failure> {
+/// Those of the names `asked` for, or all that make a difference, ready to draw; and what is left out.
+pub(crate) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> (Vec<Easel<'a>>, Vec<LeftOut>) {
     let (mut easels, mut left_out): (Vec<Easel<'a>>, Vec<LeftOut>) = Default::default();
     // The plain way is slow, and draws what “no-stop” draws.
     let all = METHODS.iter().filter(|method| method.settings.renderer != Renderer::Plain);
@@ -26,12 +25,7 @@ pub(super) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> Result<(Vec
             Err(reason) => left_out.push(LeftOut { name: name.into(), reason }),
         }
     }
-    if easels.is_empty() {
-        let reasons: Vec<String> = left_out.iter().map(|one| format!("{}: {}", one.name, one.reason)).collect();
-        let what = format!("--methods: none is left: {}", reasons.join("; "));
-        return Err(Failure::argument(crate::opening::one_line(&what), "leave --methods out for all that make sense"));
-    }
-    Ok((easels, left_out))
+    (easels, left_out)
 }
 
 fn easel<'a>(subject: &Subject<'a>, name: &str, adapter: &AdapterChoice) -> Result<Easel<'a>, String> {

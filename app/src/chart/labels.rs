@@ -6,7 +6,7 @@
 
 /// A place on the picture, pixels.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Rect {
+pub(crate) struct Rect {
     pub x: f64,
     pub y: f64,
     pub width: f64,
@@ -15,7 +15,7 @@ pub(super) struct Rect {
 
 /// A name to place.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Wanted {
+pub(crate) struct Wanted {
     /// The mark's middle.
     pub at: [f64; 2],
     /// Half of the mark's size.
@@ -26,7 +26,7 @@ pub(super) struct Wanted {
 
 /// Where a name stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Placed {
+pub(crate) struct Placed {
     pub rect: Rect,
     /// The leading line's end at the name, if the name is away from its mark.
     pub leader: Option<[f64; 2]>,
@@ -88,7 +88,7 @@ impl Rect {
 }
 
 /// Places `wanted` within `bounds`, in that order, off all marks, `taken` places and, if it can be, `lines`.
-pub(super) fn place(wanted: &[Wanted], bounds: Rect, taken: &[Rect], lines: &[[[f64; 2]; 2]]) -> Vec<Placed> {
+pub(crate) fn place(wanted: &[Wanted], bounds: Rect, taken: &[Rect], lines: &[[[f64; 2]; 2]]) -> Vec<Placed> {
     let marks: Vec<Rect> = wanted.iter().map(|name| Rect::around(name.at, [name.radius * 2.0; 2])).collect();
     let mut names: Vec<Placed> = Vec::new();
     for (own, name) in wanted.iter().enumerate() {

@@ -1,0 +1,274 @@
+//! What each method costs and gets wrong in the open scene: measured off the frame, and shown as it comes.
+//!
+//! It is the measuring of `cloudwright chart` ([`Run`]), on all cores but the window's. What was measured stays until it
+//! is measured anew; that the scene or the view has changed since is said, not hidden.
+
+use super::{Editor, Session};
+use crate::chart::report::Report;
+use crate::chart::run::Run;
+use crate::chart::subject::{Eye, Subject};
+use crate::chart::{choice, easel::Easel, html};
+use crate::opening::Beside;
+use crate::renderer::RenderError;
+use crate::worker::{self, Latest};
+use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Hidden;
+use cloudwright_core::method;
+use cloudwright_core::scene::{Camera, CameraPath, Scene};
+use cloudwright_core::version::Version;
+use cloudwright_core::watch::Watch;
+use cloudwright_render::AdapterChoice;
+use std::sync::Arc;
+use std::sync::mpsc::{Receiver, Sender, channel};
+use std::time::Duration;
+
+/// Between two looks at how far it has come.
+const LOOK: Duration = Duration::from_millis(100);
+
+/// How wide pictures may be that methods are measured on, pixels.
+pub(crate) const WIDTHS_PX: [u32; 3] = [320, 640, 960];
+
+/// How often each method is timed; the median counts.
+const ROUNDS: u32 = 3;
+
+/// What is to be measured, what is being measured, and what was.
+pub(crate) struct Charting {
+    /// The chosen path instead of the view.
+    pub(crate) along_path: bool,
+    /// One of [`WIDTHS_PX`].
+    pub(crate) width_px: u32,
+    /// Mean FLIP that is good enough.
+    pub(crate) tolerance: f64,
+    /// The flicker instead of the error, if there is one.
+    pub(crate) shows_flicker: bool,
+    work: Option<Work>,
+    measured: Option<Measured>,
+    trouble: Option<String>,
+}
+
+/// Something about the chart.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum ChartChange {
+    AlongPath(bool),
+    Width(u32),
+    Tolerance(f64),
+    ShowsFlicker(bool),
+    Measure,
+    Stop,
+}
+
+/// Of one scene, as it was looked at.
+#[derive(Debug, Clone, PartialEq)]
+struct Of {
+    revision: Version,
+    eye: OwnedEye,
+    hour: f64,
+    hidden: Hidden,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum OwnedEye {
+    View { camera: Box<Camera>, clock_s: f64 },
+    Path(Box<CameraPath>),
+}
+
+struct Measured {
+    report: Report,
+    of: Of,
+    is_stale: bool,
+}
+
+struct Work {
+    /// Ends with the work in hand when dropped.
+    _worker: Latest<Wish, ()>,
+    news: Receiver<Result<Report, String>>,
+    watch: Arc<Watch>,
+    of: Of,
+}
+
+impl Drop for Work {
+    fn drop(&mut self) {
+        self.watch.cancel();
+    }
+}
+
+struct Wish {
+    scene: Arc<Scene>,
+    derived: Arc<Derived>,
+    beside: Beside,
+    of: Of,
+    size: [u32; 2],
+    watch: Arc<Watch>,
+    tell: Sender<Result<Report, String>>,
+    context: egui::Context,
+}
+
+impl Default for Charting {
+    fn default() -> Self {
+        Self {
+            along_path: false,
+            width_px: WIDTHS_PX[0],
+            tolerance: html::DEFAULT_TOLERANCE,
+            shows_flicker: false,
+            work: None,
+            measured: None,
+            trouble: None,
+        }
+    }
+}
+
+impl Charting {
+    /// How far the work is, 0 to 1, if it goes on.
+    pub(crate) fn progress(&self) -> Option<f32> {
+        self.work.as_ref().map(|work| work.watch.share())
+    }
+
+    /// What is known.
+    pub(crate) fn report(&self) -> Option<&Report> {
+        self.measured.as_ref().map(|measured| &measured.report)
+    }
+
+    /// Whether that is of another scene or view than the present one.
+    pub(crate) fn is_stale(&self) -> bool {
+        self.measured.as_ref().is_some_and(|measured| measured.is_stale)
+    }
+
+    /// Why the last try came to nothing.
+    pub(crate) fn trouble(&self) -> Option<&str> {
+        self.trouble.as_deref()
+    }
+
+    fn take_up_news(&mut self) {
+        let Some(work) = &self.work else { return };
+        let mut is_done = false;
+        for news in work.news.try_iter() {
+            match news {
+                Ok(report) => {
+                    is_done = !report.unfinished;
+                    self.measured = Some(Measured { report, of: work.of.clone(), is_stale: false });
+                }
+                Err(trouble) => {
+                    is_done = true;
+                    self.trouble = Some(trouble);
+                }
+            }
+        }
+        if is_done {
+            self.work = None;
+        }
+    }
+}
+
+impl Editor {
+    /// Once a frame: what has been measured meanwhile, and whether it is still of what is seen.
+    pub(super) fn keep_chart(&mut self, context: &egui::Context) {
+        self.charting.take_up_news();
+        if self.charting.work.is_some() {
+            context.request_repaint_after(LOOK);
+        }
+        if let Some(mut measured) = self.charting.measured.take() {
+            let along_path = matches!(measured.of.eye, OwnedEye::Path(_));
+            measured.is_stale = self.looked_at(along_path).as_ref() != Some(&measured.of);
+            self.charting.measured = Some(measured);
+        }
+    }
+
+    pub(super) fn change_chart(&mut self, change: ChartChange, context: &egui::Context) {
+        let charting = &mut self.charting;
+        match change {
+            ChartChange::AlongPath(along_path) => charting.along_path = along_path,
+            ChartChange::Width(width_px) => charting.width_px = width_px,
+            ChartChange::Tolerance(tolerance) => charting.tolerance = tolerance,
+            ChartChange::ShowsFlicker(flicker) => charting.shows_flicker = flicker,
+            ChartChange::Measure => self.measure(context),
+            ChartChange::Stop => charting.work = None,
+        }
+    }
+
+    /// What would be measured now; none along a path that isn't there.
+    fn looked_at(&self, along_path: bool) -> Option<Of> {
+        let Self { session, view, clock, .. } = self;
+        let eye = if along_path {
+            OwnedEye::Path(Box::new(clock.path_to_fly(session.scene())?.clone()))
+        } else {
+            OwnedEye::View { camera: Box::new(self.camera().clone()), clock_s: clock.time_s() }
+        };
+        let hour = self.time_play.hour().unwrap_or(session.scene().time_of_day_h);
+        Some(Of { revision: session.revision(), eye, hour, hidden: view.hidden_in(session.scene()) })
+    }
+
+    fn measure(&mut self, context: &egui::Context) {
+        let Some(of) = self.looked_at(self.charting.along_path) else {
+            self.charting.trouble = Some("there is no path that leads anywhere".into());
+            return;
+        };
+        if self.session.derived().clouds().iter().all(|cloud| cloud.sprites.is_empty()) {
+            self.charting.trouble = Some("there are no sprites, so all methods draw the same".into());
+            return;
+        }
+        let width_px = self.charting.width_px;
+        let size = [width_px, (width_px as f32 / self.viewport.aspect()).round().max(1.0) as u32];
+        self.charting.trouble = None;
+        match begin(&self.session, of, size, context) {
+            Ok(work) => self.charting.work = Some(work),
+            Err(error) => self.charting.trouble = Some(format!("the system gives no thread: {error}")),
+        }
+    }
+}
+
+fn begin(session: &Session, of: Of, size: [u32; 2], context: &egui::Context) -> std::io::Result<Work> {
+    let (wake, pool) = (context.clone(), worker::pool_beside_the_window("charting"));
+    let work = move |wish: Wish| {
+        let work = || {
+            if let Err(Ended::Trouble(trouble)) = measure(&wish) {
+                // Nobody may listen any more.
+                let _ = wish.tell.send(Err(trouble));
+            }
+        };
+        pool.as_ref().map_or_else(work, |pool| pool.install(work));
+    };
+    let worker = Latest::start("charting", work, move || wake.request_repaint())?;
+    let (tell, news) = channel();
+    let watch = Arc::new(Watch::default());
+    let (scene, derived, beside) = session.to_draw();
+    let (of_wish, watch_wish, context) = (of.clone(), Arc::clone(&watch), context.clone());
+    worker.ask(Wish { scene, derived, beside, of: of_wish, size, watch: watch_wish, tell, context });
+    Ok(Work { _worker: worker, news, watch, of })
+}
+
+/// Why there is no more to come.
+enum Ended {
+    Stopped,
+    Trouble(String),
+}
+
+impl From<RenderError> for Ended {
+    fn from(error: RenderError) -> Self {
+        Self::Trouble(error.to_string())
+    }
+}
+
+fn measure(wish: &Wish) -> Result<(), Ended> {
+    let Wish { scene, derived, beside, of, size, watch, tell, context } = wish;
+    let (eye, clock_s) = match &of.eye {
+        OwnedEye::View { camera, clock_s } => (Eye::Camera(camera), *clock_s),
+        OwnedEye::Path(path) => (Eye::Path(path), 0.0),
+    };
+    let (atlas, meshes, hidden) = (beside.sheet(), beside.meshes(), &of.hidden);
+    let subject = Subject { scene, derived, atlas, meshes, eye, size: *size, time_h: of.hour, clock_s, hidden };
+    let (easels, left_out) = choice::easels(&subject, &[]);
+    let head = Report { size: *size, view: Some(eye.view()), left_out, ..Report::default() };
+    let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?;
+    let hear = |share| watch.reach(share);
+    let mut run = Run::new(&subject, truth, easels, ROUNDS, head, &hear);
+    let mut keep = |report: &Report| {
+        if watch.is_cancelled() {
+            return Err(Ended::Stopped);
+        }
+        let _ = tell.send(Ok(report.clone()));
+        context.request_repaint();
+        Ok(())
+    };
+    run.measure_errors(&mut keep)?;
+    run.measure_costs(&mut keep)
+}

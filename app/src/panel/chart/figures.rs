@@ -1,0 +1,45 @@
+//! A method's mark, its colour, and what is known of it.
+
+use crate::chart::report::Method;
+use crate::chart::text::figure;
+use crate::theme;
+use cloudwright_core::method::{self, Family};
+use egui::{Color32, Ui};
+use egui_plot::MarkerShape;
+
+/// Its family; another program's methods are others.
+pub(super) fn family(method: &Method) -> Family {
+    method::named(&method.name).map_or(Family::Other, |method| method.family)
+}
+
+/// As in `chart.html`: the truth is a diamond, what is known to fail a triangle.
+pub(super) fn shape(family: Family) -> MarkerShape {
+    match family {
+        Family::Truth => MarkerShape::Diamond,
+        Family::Shipped | Family::Other => MarkerShape::Circle,
+        Family::Failing => MarkerShape::Up,
+    }
+}
+
+pub(super) fn color(ui: &Ui, family: Family) -> Color32 {
+    theme::family(ui, family)
+}
+
+/// What it does, and its figures: for a tooltip.
+pub(super) fn card(ui: &mut Ui, method: &Method) {
+    ui.set_max_width(theme::DIALOG_WIDTH);
+    ui.strong(&method.name);
+    if let Some(known) = method::named(&method.name) {
+        ui.label(known.about);
+    }
+    let mut words = format!("{} ms, mean FLIP {}", figure(method.cost.frame_ms), figure(method.error.flip_mean));
+    if let Some(stability) = &method.stability {
+        words += &format!(", flicker {}", figure(stability.excess_mean));
+    }
+    ui.label(words);
+    let counts = &method.cost.counts;
+    if counts.sprites > 0 {
+        ui.weak(format!("{} sprites, overdraw {}", counts.sprites, figure(counts.overdraw_mean)));
+    }
+    ui.weak("Click: the viewport draws by it.");
+}
