@@ -5,7 +5,7 @@ use crate::editor::{Action, Snap, Tool, ViewChange};
 use crate::panel::{Reading, name_it, number_field};
 use crate::theme::{self, icon};
 use cloudwright_core::parameter::{POSITION, Parameter};
-use egui::{Align2, FontId, Layout, Painter, Pos2, Rect, Ui, UiBuilder, vec2};
+use egui::{Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, RichText, Ui, UiBuilder, vec2};
 
 const BASE_ALTITUDE: Parameter = Parameter {
     name: "base_altitude",
@@ -157,9 +157,23 @@ pub(super) fn label(painter: &Painter, at: Pos2, text: &str) {
     text_on_shade(painter, at, Align2::LEFT_TOP, text);
 }
 
-/// Words at a place in the picture, on the side that `align` says.
-pub(super) fn beside(painter: &Painter, at: Pos2, align: Align2, text: &str) {
-    text_on_shade(painter, at, align, text);
+/// Words that screen readers read too, on the side of a place that `align` says.
+pub(super) fn words(ui: &mut Ui, at: Pos2, align: Align2, text: &str) {
+    words_on(ui, at, align, text, Color32::TRANSPARENT);
+}
+
+/// The same on a shade.
+pub(super) fn plate(ui: &mut Ui, at: Pos2, align: Align2, text: &str) {
+    words_on(ui, at, align, text, theme::VIEWPORT_SHADE);
+}
+
+fn words_on(ui: &mut Ui, at: Pos2, align: Align2, text: &str, shade: Color32) {
+    let font = FontId::proportional(theme::SMALL_TEXT);
+    let size = ui.painter().layout_no_wrap(text.into(), font.clone(), theme::VIEWPORT_TEXT).size();
+    let place = align.anchor_size(at, size);
+    ui.painter().rect_filled(place.expand2(vec2(6.0, 3.0)), 4.0, shade);
+    let text = RichText::new(text).font(font).color(theme::VIEWPORT_TEXT);
+    ui.put(place, Label::new(text).selectable(false).extend());
 }
 
 fn text_on_shade(painter: &Painter, at: Pos2, align: Align2, text: &str) {

@@ -5,6 +5,7 @@
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
 mod arranging;
+mod chart_panel;
 mod colors;
 mod drawing_boxes;
 mod editing;

@@ -5,17 +5,18 @@ use crate::chart::heat;
 use crate::chart::text::figure;
 use crate::editor::Lens;
 use crate::theme;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, pos2, vec2};
+use crate::viewport::overlay;
+use egui::{Align2, Color32, Mesh, Rect, Ui, Vec2, pos2, vec2};
 
 /// Of the bar, points.
-const BAR: egui::Vec2 = vec2(180.0, 8.0);
+const BAR: Vec2 = vec2(180.0, 8.0);
 /// Around it, points.
 const PADDING: f32 = 8.0;
 /// Of a line of text, points.
 const LINE: f32 = 15.0;
 
 /// Shows it; without a `scale` there is no map yet.
-pub(super) fn show(painter: &Painter, rect: Rect, lens: Lens, scale: Option<&Scale>, progress: Option<f32>) {
+pub(super) fn show(ui: &mut Ui, rect: Rect, lens: Lens, scale: Option<&Scale>, progress: Option<f32>) {
     let title = match lens {
         Lens::Picture | Lens::Wipe => return,
         Lens::Overdraw => "Sprites blended on a pixel",
@@ -23,13 +24,29 @@ pub(super) fn show(painter: &Painter, rect: Rect, lens: Lens, scale: Option<&Sca
         Lens::Error => "FLIP against the truth",
     };
     let size = BAR + vec2(2.0 * PADDING, 2.0 * PADDING + 2.0 * LINE + 4.0);
-    let frame = Rect::from_min_size(rect.right_bottom() - size - vec2(1.0, 1.0) * theme::VIEWPORT_MARGIN, size);
-    painter.rect_filled(frame, 4.0, theme::HUD_SHADE);
+    let frame = Rect::from_min_size(rect.right_bottom() - size - Vec2::splat(theme::VIEWPORT_MARGIN), size);
+    ui.painter().rect_filled(frame, 4.0, theme::HUD_SHADE);
     let inner = frame.shrink(PADDING);
-    text(painter, inner.left_top(), Align2::LEFT_TOP, title);
+    overlay::words(ui, inner.left_top(), Align2::LEFT_TOP, title);
     let bar = Rect::from_min_size(inner.left_top() + vec2(0.0, LINE + 2.0), BAR);
+    ui.painter().add(colors(bar));
+    let below = inner.left_bottom();
+    let Some(Scale { brightest, mean }) = scale else {
+        let words =
+            progress.map_or("when the view rests".into(), |share| format!("being drawn, {:.0} %", share * 100.0));
+        return overlay::words(ui, below, Align2::LEFT_BOTTOM, &words);
+    };
+    overlay::words(ui, below, Align2::LEFT_BOTTOM, "0");
+    overlay::words(ui, inner.right_bottom(), Align2::RIGHT_BOTTOM, &figure(Some(f64::from(*brightest))));
+    let more = if progress.is_some() { " …" } else { "" };
+    let mean = format!("mean {}{more}", figure(Some(*mean)));
+    overlay::words(ui, pos2(bar.center().x, below.y), Align2::CENTER_BOTTOM, &mean);
+}
+
+/// From left to right.
+fn colors(bar: Rect) -> Mesh {
     let last = heat::COLORS.len() - 1;
-    let mut mesh = egui::Mesh::default();
+    let mut mesh = Mesh::default();
     for (index, [r, g, b]) in heat::COLORS.into_iter().enumerate() {
         let x = bar.left() + bar.width() * index as f32 / last as f32;
         for y in [bar.top(), bar.bottom()] {
@@ -41,20 +58,5 @@ pub(super) fn show(painter: &Painter, rect: Rect, lens: Lens, scale: Option<&Sca
             mesh.add_triangle(first + 1, first + 2, first + 3);
         }
     }
-    painter.add(mesh);
-    let below = inner.left_bottom();
-    let Some(Scale { brightest, mean }) = scale else {
-        let share = progress.unwrap_or_default() * 100.0;
-        text(painter, below, Align2::LEFT_BOTTOM, &format!("being drawn, {share:.0} %"));
-        return;
-    };
-    text(painter, below, Align2::LEFT_BOTTOM, "0");
-    text(painter, inner.right_bottom(), Align2::RIGHT_BOTTOM, &figure(Some(f64::from(*brightest))));
-    let more = if progress.is_some() { " …" } else { "" };
-    let mean = format!("mean {}{more}", figure(Some(*mean)));
-    text(painter, pos2(bar.center().x, below.y), Align2::CENTER_BOTTOM, &mean);
-}
-
-fn text(painter: &Painter, at: Pos2, align: Align2, words: &str) {
-    painter.text(at, align, words, FontId::proportional(theme::SMALL_TEXT), theme::VIEWPORT_TEXT);
+    mesh
 }

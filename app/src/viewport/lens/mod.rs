@@ -17,6 +17,10 @@ use cloudwright_core::watch::Watch;
 use egui::{Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
 use slide::{Scale, Slide, Wish};
 use std::sync::Arc;
+use std::time::Duration;
+
+/// Between two looks at how far a slide has come.
+const LOOK: Duration = Duration::from_millis(200);
 
 /// Draws the slides, and shows them.
 pub(super) struct LensSource {
@@ -137,6 +141,9 @@ impl LensSource {
 
     /// Shows it over the picture in `rect`, which is drawn by the method of that `name`.
     pub(super) fn show(&mut self, ui: &mut Ui, painter: &Painter, rect: Rect, lens: Lens, name: &str) {
+        if self.progress().is_some() {
+            ui.ctx().request_repaint_after(LOOK);
+        }
         if lens == Lens::Wipe {
             return self.show_wipe(ui, painter, rect, name);
         }
@@ -144,7 +151,7 @@ impl LensSource {
             paint(painter, shown, rect, rect);
         }
         let scale = self.slide().and_then(|shown| shown.scale.as_ref());
-        legend::show(painter, rect, lens, scale, self.progress());
+        legend::show(ui, rect, lens, scale, self.progress());
     }
 }
 

@@ -58,9 +58,9 @@ impl LensSource {
             (None, Some(_)) => "truth".into(),
             (None, None) => "truth, when the view rests".into(),
         };
-        let beside = |side: f32| pos2(cut + side * (GRIP + 4.0), middle.y);
-        overlay::beside(painter, beside(-1.0), Align2::RIGHT_CENTER, name);
-        overlay::beside(painter, beside(1.0), Align2::LEFT_CENTER, &truth);
+        let beside = |side: f32| pos2(cut + side * (GRIP + 8.0), middle.y);
+        overlay::plate(ui, beside(-1.0), Align2::RIGHT_CENTER, name);
+        overlay::plate(ui, beside(1.0), Align2::LEFT_CENTER, &truth);
         handled.response.on_hover_cursor(CursorIcon::ResizeHorizontal);
     }
 }
