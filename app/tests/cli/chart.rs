@@ -117,6 +117,42 @@ fn a_second_run_goes_on() {
     assert_ne!(report(&place, "out").methods[0].frames[2].error.flip_mean, Some(0.125));
 }
 
+/// Ctrl-C sends the same signal.
+#[cfg(unix)]
+#[test]
+fn an_interrupted_run_is_gone_on_with() {
+    let place = place();
+    let words = "chart flown.cloudscene -o out --size 256x144 --repeat 1 --methods fast,half";
+    let mut child = std::process::Command::new(env!("CARGO_BIN_EXE_cloudwright"))
+        .args(words.split_whitespace())
+        .current_dir(place.path(""))
+        .stdout(std::process::Stdio::null())
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .expect("the binary runs");
+    let measured = || {
+        let report = read(&std::fs::read(place.path("out/chart.json")).ok()?).ok()?;
+        report.methods.first()?.frames.first()?.drawn_ms?;
+        Some(report)
+    };
+    while measured().is_none() {
+        assert_eq!(child.try_wait().expect("it can be asked"), None, "it ended before it measured anything");
+        std::thread::sleep(std::time::Duration::from_millis(5));
+    }
+    let sent = std::process::Command::new("kill").args(["-INT", &child.id().to_string()]).status();
+    assert!(sent.expect("kill runs").success());
+    assert!(!child.wait().expect("it ends").success());
+    let kept = report(&place, "out");
+    assert!(kept.unfinished, "interrupted in the middle");
+    let ran = place.run(words);
+    assert_eq!(ran.code, 0, "{}", ran.stderr);
+    let whole = report(&place, "out");
+    assert!(!whole.unfinished);
+    // Times differ from run to run, so equal ones are kept ones.
+    assert_eq!(whole.methods[0].frames[0], kept.methods[0].frames[0]);
+    assert_eq!(whole.methods[0].frames.len(), 5);
+}
+
 #[test]
 fn odd_sizes_and_short_flights_have_an_answer() {
     let place = place();
