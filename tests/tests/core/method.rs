@@ -11,6 +11,7 @@ use cloudwright_core::scene::{Camera, Formation, FormationChange, Scene};
 use cloudwright_core::shading::{Formed, FormingRule};
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::variants::{Listing, SteppedForming};
+use cloudwright_core::watch::Watch;
 use cloudwright_tests::small_scenes::heap;
 use std::collections::BTreeSet;
 
