@@ -6,6 +6,7 @@ pub mod flip_pairs;
 pub mod gpu;
 pub mod small_scenes;
 pub mod stability;
+pub mod suite;
 
 use std::path::PathBuf;
 
