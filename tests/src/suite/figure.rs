@@ -1,9 +1,8 @@
 //! What is measured of a method in a situation: one number, the larger the worse.
 
+use super::sprite_changes::sprite_changes;
 use super::stage::Stage;
-use crate::stability::{SpriteChanges, sprite_changes};
-use cloudwright_core::color::Premultiplied;
-use cloudwright_core::facing::upright::RELAXING;
+use cloudwright_core::color::{Premultiplied, Rgb};
 use cloudwright_core::image::{Layer, LinearPicture};
 use cloudwright_core::measure::{Stability, linear_error, opacity_error};
 use cloudwright_core::method::{Drawn, Settings};
@@ -22,20 +21,11 @@ pub enum Figure {
     Opacity,
     /// Largest change of any pixel from one picture to the next beyond the truth's own, linear light.
     Excess,
-    /// Largest change of any sprite for each metre flown, of its alpha, its facing or its up, in shares of [`CHANGES`].
+    /// Largest change of any sprite for each metre flown, of its alpha, its facing or its up, in shares of [`super::CHANGES`].
     Sprites,
     /// Largest change of any pixel's opacity when frames come 10, 60 or 240 times a second.
     Rates,
 }
-
-/// What a sprite changes by at most for each metre flown, times its lock distance r. Steps of a flight change by less
-/// than their steepest place does.
-///
-/// Alpha: 6, as core/src/facing/lock.rs derives. Facing, weighted by alpha A ≤ |m|: |dm/|m|| · |m| = |dm| ≤ |s'| |e − n| +
-/// s |e'| ≤ 3 · 2 + 1 = 7. Up: it turns as far as the facing, and relaxes by RELAXING times that; a sprite that simply
-/// faces the eye from beyond the shell has its up by direction: 1 + tan of 64° = 3 times the turn of at most 1/1.5.
-/// Noise of a millimetre: f32 directions are good to 10⁻⁷, by 10⁻³ m and r = 35 m that is 0.004.
-pub const CHANGES: SpriteChanges = SpriteChanges { fade: 6.0, facing: 7.0, up: 7.0 * (1.0 + RELAXING) };
 
 impl Figure {
     /// As it is called in a report.
@@ -85,8 +75,7 @@ impl Figure {
             }
             Self::Sprites => {
                 let cameras: Vec<Camera> = stage.moments.iter().map(|moment| moment.camera.clone()).collect();
-                let SpriteChanges { fade, facing, up } = sprite_changes(&stage.scene, &cameras, settings.facing);
-                largest([fade / CHANGES.fade, facing / CHANGES.facing, up / CHANGES.up].map(Some).into_iter())
+                Some(sprite_changes(&stage.scene, &cameras, settings).share().into())
             }
             Self::Rates => {
                 let [slow, usual, quick] = [10, 60, 240].map(|rate| stage.draw(&at_rate(settings, rate)));
@@ -108,7 +97,7 @@ fn opacity((a, b): (&Layer, &Layer)) -> Option<f32> {
 }
 
 fn colors_of(layer: &Layer) -> LinearPicture {
-    let color = |pixel: &Premultiplied| cloudwright_core::color::Rgb::new(pixel.r, pixel.g, pixel.b);
+    let color = |pixel: &Premultiplied| Rgb::new(pixel.r, pixel.g, pixel.b);
     LinearPicture { width: layer.width, height: layer.height, pixels: layer.pixels.iter().map(color).collect() }
 }
 

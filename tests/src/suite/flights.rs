@@ -3,12 +3,10 @@
 use super::Situation;
 use super::bounds::{Bound, ROUNDING, exact, swapped};
 use super::figure::Figure;
+use super::heap_flights::{self, noise};
 use super::stage::Stage;
 use super::studio::{Plate, ahead, plates, solid_atlas, studio};
-use crate::stability;
-use cloudwright_core::random::{draw, unit};
 use cloudwright_core::scene::{Camera, Scene};
-use cloudwright_core::sprites::Atlas;
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -16,42 +14,42 @@ pub(super) const SITUATIONS: &[Situation] = &[
     Situation {
         name: "through",
         about: "A heap of eighty sprites, straight through its middle, half a metre past a sprite's centre.",
-        stage: || through_heap("through"),
+        stage: || heap_flights::through(400.0),
         bound: SPRITES,
         breaks: &["no-lock", "lock-without-fade", "dot-product"],
     },
     Situation {
         name: "slowly through",
         about: "The same so slowly that each step is shorter than the miss.",
-        stage: || through_heap("slowly through"),
+        stage: || heap_flights::through(9.0),
         bound: SPRITES,
         breaks: &["no-lock", "lock-without-fade", "dot-product"],
     },
     Situation {
         name: "grazing",
         about: "Past the heap, through its outermost sprites.",
-        stage: || through_heap("grazing"),
+        stage: heap_flights::grazing,
         bound: SPRITES,
         breaks: &["lock-without-fade", "dot-product"],
     },
     Situation {
         name: "hovering",
         about: "At the lock distance of one of its sprites, with a millimetre of noise, while the head turns.",
-        stage: || through_heap("hovering"),
+        stage: heap_flights::hovering,
         bound: SPRITES,
         breaks: &["view-plane"],
     },
     Situation {
         name: "looking straight up",
         about: "Below the heap, with a millimetre of noise, while the head turns.",
-        stage: || through_heap("looking up"),
+        stage: heap_flights::looking_up,
         bound: SPRITES,
         breaks: &["view-plane"],
     },
     Situation {
         name: "looking straight down",
         about: "Above the heap, likewise.",
-        stage: || through_heap("looking down"),
+        stage: heap_flights::looking_down,
         bound: SPRITES,
         breaks: &["view-plane"],
     },
@@ -124,21 +122,8 @@ const SPRITES: Bound = Bound {
 /// Half the radius of a plate of 100 m.
 const LOCK_M: f64 = 25.0;
 
-/// A flight of [`stability`]; a picture every two seconds.
-fn through_heap(name: &str) -> Stage {
-    let cameras = stability::flights().into_iter().find(|flight| flight.name == name).map(|flight| flight.cameras);
-    let atlas = Cow::Borrowed(Atlas::built_in());
-    Stage::flight(stability::scene(), atlas, cameras.unwrap_or_default(), |step| step % 120 == 0)
-}
-
 fn at(position: DVec3, heading_deg: f64, field_of_view_deg: f64) -> Camera {
     Camera { heading_deg, field_of_view_deg, ..Camera::free(position) }
-}
-
-/// A millimetre at most along each axis.
-fn noise(step: u32) -> DVec3 {
-    let [x, y, z, _] = draw(11, 0, step, 0).map(|bits| unit(bits) - 0.5);
-    DVec3::new(x, y, z) * 2e-3
 }
 
 /// A hundred metres of opacity 0.9 at the origin, which is faced from the south.

@@ -11,15 +11,18 @@ mod bounds;
 mod figure;
 mod flights;
 mod forming;
+pub mod heap_flights;
 mod report;
+mod sprite_changes;
 mod stage;
 mod stills;
 pub mod studio;
 mod table;
 
 pub use bounds::{Bound, ROUNDING, STOP};
-pub use figure::{CHANGES, Figure};
+pub use figure::Figure;
 pub use report::report;
+pub use sprite_changes::{CHANGES, SpriteChanges, sprite_changes};
 pub use stage::{Moment, Stage};
 pub use table::{Cell, Row, judge};
 

@@ -1,13 +1,13 @@
-//! The table as Markdown: a row for each situation, a column for each method that breaks something.
+//! The table as Markdown: a row for each situation, a column for each method.
 
-use super::table::{Cell, Must, Row};
+use super::table::{Must, Row};
 use super::{Bound, Figure};
 use cloudwright_core::method::Method;
-use std::collections::BTreeSet;
 
 /// The table, what its marks and figures mean, how each situation is made, and why its bound holds.
 pub fn report(rows: &[Row]) -> String {
-    let methods = columns(rows);
+    let methods: Vec<&Method> =
+        rows.first().map_or(Vec::new(), |row| row.cells.iter().map(|cell| cell.method).collect());
     let names: Vec<&str> = methods.iter().map(|method| method.name).collect();
     let mut out = format!("| situation | figure | at most | {} |\n", names.join(" | "));
     out += &format!("|{}\n", "---|".repeat(3 + methods.len()));
@@ -34,16 +34,6 @@ pub fn report(rows: &[Row]) -> String {
         );
     }
     out
-}
-
-/// The methods that must keep or break a bound, in the order of their own table.
-fn columns(rows: &[Row]) -> Vec<&'static Method> {
-    let judged = |row: &Row| -> Vec<&'static str> {
-        row.cells.iter().filter(|cell| cell.must.is_some()).map(|cell| cell.method.name).collect()
-    };
-    let named: BTreeSet<&str> = rows.iter().flat_map(judged).collect();
-    let cells = rows.first().map_or(&[] as &[Cell], |row| &row.cells);
-    cells.iter().map(|cell| cell.method).filter(|method| named.contains(method.name)).collect()
 }
 
 fn cell(row: &Row, method: &Method) -> String {
