@@ -21,6 +21,8 @@ pub enum Figure {
     Opacity,
     /// Largest change of any pixel from one picture to the next beyond the truth's own, linear light.
     Excess,
+    /// Largest change of any pixel's opacity from one picture to the next, whatever the truth does.
+    Steps,
     /// Largest change of any sprite for each metre flown, of its alpha, its facing or its up, in shares of [`super::CHANGES`].
     Sprites,
     /// Largest change of any pixel's opacity when frames come 10, 60 or 240 times a second.
@@ -28,6 +30,10 @@ pub enum Figure {
 }
 
 impl Figure {
+    /// In the order of reports.
+    pub const ALL: [Self; 7] =
+        [Self::Light, Self::Clouds, Self::Opacity, Self::Excess, Self::Steps, Self::Sprites, Self::Rates];
+
     /// As it is called in a report.
     pub fn name(self) -> &'static str {
         match self {
@@ -35,6 +41,7 @@ impl Figure {
             Self::Clouds => "clouds",
             Self::Opacity => "opacity",
             Self::Excess => "excess",
+            Self::Steps => "steps",
             Self::Sprites => "sprites",
             Self::Rates => "rates",
         }
@@ -47,6 +54,7 @@ impl Figure {
             Self::Clouds => "the same of the clouds alone, premultiplied, their opacity among the channels",
             Self::Opacity => "largest error of any pixel's opacity against the truth",
             Self::Excess => "largest change of any pixel from picture to picture beyond the truth's own, linear light",
+            Self::Steps => "largest change of any pixel's opacity from picture to picture, whatever the truth does",
             Self::Sprites => {
                 "largest change of any sprite's alpha, facing or up for each metre flown, times its lock distance, as a \
                  share of 6, 7 and 28"
@@ -72,6 +80,9 @@ impl Figure {
                 let mut stability = Stability::new();
                 let maps: Result<Vec<_>, _> = pairs().map(|(a, b)| stability.add(&a.linear, &b.linear)).collect();
                 largest(maps.ok()?.into_iter().flatten().map(|map| Some(map.largest())))
+            }
+            Self::Steps => {
+                largest(pictures.windows(2).map(|two| opacity((two[0].clouds.as_ref()?, two[1].clouds.as_ref()?))))
             }
             Self::Sprites => {
                 let cameras: Vec<Camera> = stage.moments.iter().map(|moment| moment.camera.clone()).collect();

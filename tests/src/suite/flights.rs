@@ -4,6 +4,7 @@ use super::Situation;
 use super::bounds::{Bound, ROUNDING, exact, swapped};
 use super::figure::Figure;
 use super::heap_flights::{self, noise};
+use super::sprite_changes::CHANGES;
 use super::stage::Stage;
 use super::studio::{Plate, ahead, plates, solid_atlas, studio};
 use cloudwright_core::scene::{Camera, Scene};
@@ -54,7 +55,7 @@ pub(super) const SITUATIONS: &[Situation] = &[
         breaks: &["view-plane"],
     },
     Situation {
-        name: "through a sprite's centre",
+        name: "through a sprite's centre, light",
         about: "Straight through a plate of opacity 0.9 that fills the picture, 1 cm past its centre, half a metre a step.",
         stage: through_plate,
         bound: Bound {
@@ -62,6 +63,17 @@ pub(super) const SITUATIONS: &[Situation] = &[
             at_most: 2.0 * ROUNDING,
             because: "The plate stays across the way and fades as the truth's does: both of two pictures are off by \
                       rounding alone.",
+        },
+        breaks: &["no-lock", "lock-without-fade", "dot-product", "view-plane"],
+    },
+    Situation {
+        name: "through a sprite's centre, opacity",
+        about: "The same.",
+        stage: through_plate,
+        bound: Bound {
+            figure: Figure::Steps,
+            at_most: 0.9 * CHANGES.fade as f64 / LOCK_M * 0.5 + 2.0 * ROUNDING,
+            because: "Its alpha changes by 6 / lock distance a metre at most, and by half of that in a step.",
         },
         breaks: &["no-lock", "lock-without-fade", "dot-product", "view-plane"],
     },
@@ -132,8 +144,8 @@ fn one_plate() -> Scene {
 }
 
 fn through_plate() -> Stage {
-    let cameras = (0..200).map(|i| at(DVec3::new(0.01, 0.0, 80.0 - 0.5 * f64::from(i)), 0.0, 22.0));
-    Stage::flight(one_plate(), Cow::Owned(solid_atlas()), cameras, |step| step % 4 == 0)
+    let cameras = (0..120).map(|i| at(DVec3::new(0.01, 0.0, 45.0 - 0.5 * f64::from(i)), 0.0, 22.0));
+    Stage::flight(one_plate(), Cow::Owned(solid_atlas()), cameras, |_| true)
 }
 
 /// Looking west, along the plate's plane; drawn from a step on.

@@ -1,7 +1,7 @@
 //! Clouds that come and go while nobody moves.
 
 use super::Situation;
-use super::bounds::{Bound, exact};
+use super::bounds::{Bound, ROUNDING, exact};
 use super::figure::Figure;
 use super::stage::{Moment, Stage};
 use super::studio::{Plate, ahead, plates, solid_atlas, studio};
@@ -16,6 +16,18 @@ pub(super) const SITUATIONS: &[Situation] = &[
         stage: || forming(FormationChange::Forming, [2.0, 3.0], looks(4.0, 20).chain([35.0])),
         bound: exact(Figure::Opacity, "The truth forms by the same closed form, so only rounding is left."),
         breaks: &["stepped-as-printed", "stepped-mended"],
+    },
+    Situation {
+        name: "forming, from look to look",
+        about: "Two seconds and three again; ten looks a second.",
+        stage: || forming(FormationChange::Forming, [2.0, 3.0], looks(10.0, 60)),
+        bound: Bound {
+            figure: Figure::Steps,
+            at_most: 3.0 * 0.8 * (1.0 / 2.0 + 2.0 * 0.5 * 0.15 / 3.0) * 0.1 + ROUNDING,
+            because: "A corner 0.15 radii out changes by 1/core_s + 2θ · 0.15/edges_s a second at most, its plate by 0.8 \
+                      of that, and three plates by no more than three times as much.",
+        },
+        breaks: &["stepped-as-printed"],
     },
     Situation {
         name: "forming within a frame",
@@ -48,7 +60,8 @@ fn looks(a_second: f64, last: u32) -> impl Iterator<Item = f64> {
     (0..=last).map(move |i| f64::from(i) / a_second)
 }
 
-/// Three plates at the middle of a cloud whose other two stand 400 m to the left and to the right, out of view.
+/// Three plates at the middle of a cloud whose other two stand 400 m to the left and to the right, out of view: its radius
+/// is 400 m, and their corners are 57 m from its centre, 0.14 of that.
 fn forming(change: FormationChange, [core_s, edges_s]: [f64; 2], looks: impl Iterator<Item = f64>) -> Stage {
     let beside = |x: f64| Plate { center: DVec3::new(x, 0.0, -62.0), side_m: 1.0, light: 0.0 };
     let middle = [60.0, 62.0, 64.0].map(|distance_m| ahead(distance_m, 80.0, 1.0));

@@ -4,8 +4,8 @@
 //! A [`Situation`] is a [`Stage`] (a scene of few sprites, who looks at it and when), a [`Bound`] with its reason, and
 //! the names of those methods of the table ([`cloudwright_core::method`]) whose known fault shows there. Bounds are
 //! derived, not fitted: most scenes are made so that each pixel can be worked out ([`studio`]). [`judge`] runs every
-//! method through every situation; [`report`] prints what came of it. Situations are from MODEL §4 to §6 and from what
-//! W, SkyWorks and SimGear are known to get wrong.
+//! method through every situation; [`report()`] prints what came of it. Situations are from MODEL §4 to §6 and from what
+//! W, SkyWorks and SimGear are known to get wrong. What runs on a GPU is held against the CPU in tests/gpu_pictures.
 
 mod bounds;
 mod figure;
@@ -24,7 +24,7 @@ pub use figure::Figure;
 pub use report::report;
 pub use sprite_changes::{CHANGES, SpriteChanges, sprite_changes};
 pub use stage::{Moment, Stage};
-pub use table::{Cell, Row, judge};
+pub use table::{Cell, Must, Row, judge};
 
 /// A row of the table.
 #[derive(Debug, Clone, Copy)]

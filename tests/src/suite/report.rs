@@ -19,7 +19,7 @@ pub fn report(rows: &[Row]) -> String {
     }
     out += "\n✓ keeps the bound, as the shipped method must; ✗ breaks it, as it must; ‼ is not as it must be. Without a \
             mark: reported, not judged. – has no such figure.\n\n";
-    for figure in [Figure::Light, Figure::Clouds, Figure::Opacity, Figure::Excess, Figure::Sprites, Figure::Rates] {
+    for figure in Figure::ALL {
         out += &format!("- **{}**: {}\n", figure.name(), figure.about());
     }
     out.push('\n');

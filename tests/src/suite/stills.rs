@@ -78,11 +78,10 @@ pub(super) const SITUATIONS: &[Situation] = &[
         name: "a cloud 200 km away",
         about: "One plate whose texels are solid and clear in turn, eight and a half of them a pixel.",
         stage: far_checkers,
-        bound: Bound {
-            figure: Figure::Light,
-            at_most: 1.0 / 255.0 + ROUNDING,
-            because: "From the second mip level on, all texels are the mean of solid and clear, rounded to a byte.",
-        },
+        bound: exact(
+            Figure::Light,
+            "From the first halving on, all texels are the mean of solid and clear, for one sample a pixel as for sixteen.",
+        ),
         breaks: &["no-mips"],
     },
     Situation {
@@ -129,7 +128,7 @@ pub(super) const SITUATIONS: &[Situation] = &[
     },
     Situation {
         name: "alpha 0 and 1",
-        about: "A white plate of opacity 0 before a grey one of opacity 1 before a white one of opacity 1.",
+        about: "A white plate of opacity 0 before a solid one, of a grey between two bytes of sRGB, before a white one.",
         stage: || {
             let clouds = [plates(0.0, [ahead(60.0, 80.0, 1.0)]), plates(1.0, [ahead(61.0, 80.0, 0.22)])];
             still(studio(&[clouds[0].clone(), clouds[1].clone(), plates(1.0, [ahead(62.0, 80.0, 1.0)])]), 16.0)
