@@ -5,7 +5,7 @@ pub mod authoring;
 pub mod flip_pairs;
 pub mod gpu;
 pub mod small_scenes;
-pub mod stability;
+pub mod suite;
 
 use std::path::PathBuf;
 

@@ -16,7 +16,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Where less than this gets through, what lies behind is lost in the rounding of what lies before.
 const LOST: f32 = 1.0 / (1 << 24) as f32;
 
-/// Fragments that are put in order together.
+/// Fragments that are put in order together; then twice as many, and so on, so that thousands of thin ones don't take
+/// the square of their number.
 const AT_ONCE: usize = 24;
 
 /// Samples a pixel that error figures use: 4 × 4.
@@ -115,10 +116,10 @@ impl Tile<'_> {
             a.depth.total_cmp(&b.depth).then_with(|| place(*j).cmp(&place(*i)))
         };
         let mut clouds = self.frame.veil;
-        let mut rest = hits.as_mut_slice();
+        let (mut rest, mut at_once) = (hits.as_mut_slice(), AT_ONCE);
         // Of hundreds, a few dozen mostly hide all others: only those are put in order.
         while !rest.is_empty() && 1.0 - clouds.a >= LOST {
-            let count = AT_ONCE.min(rest.len());
+            let count = at_once.min(rest.len());
             if count < rest.len() {
                 rest.select_nth_unstable_by(count, compare);
             }
@@ -130,7 +131,7 @@ impl Tile<'_> {
                     put_behind(&mut clouds, fragment);
                 }
             }
-            rest = farther;
+            (rest, at_once) = (farther, 2 * at_once);
         }
         let color = clouds.over(self.frame.background.color(view.ray(x, y), view.pixel() * spacing));
         Pixel { color, clouds }

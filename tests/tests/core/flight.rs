@@ -4,78 +4,48 @@
 use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{Hidden, Sorting};
-use cloudwright_core::facing::{FacingRule, upright::RELAXING};
+use cloudwright_core::facing::FacingRule;
 use cloudwright_core::flight::Playback;
 use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::image::Picture;
+use cloudwright_core::method::{METHODS, Method, Settings, shipped, truth};
 use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::raster::{fast, plain};
 use cloudwright_core::scene::{Camera, CameraPath, Formation, FormationChange, PathKey, Scene};
 use cloudwright_core::shading::Formed;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::variants::{FacingVariant, Listing, SteppedFade};
+use cloudwright_core::variants::{Listing, SteppedFade};
 use cloudwright_core::view_history::ViewHistory;
 use cloudwright_tests::small_scenes::heap;
-use cloudwright_tests::stability::{Flight, SpriteChanges, flights, methods, pixel_change, scene, sprite_changes};
+use cloudwright_tests::suite::heap_flights::through;
+use cloudwright_tests::suite::{Figure, Stage};
 use glam::DVec3;
-
-/// Largest change a metre, times the lock distance r. Steps of a flight change by less than their steepest place does.
-///
-/// Alpha: 6, as core/src/facing/lock.rs derives. Facing, weighted by alpha A ≤ |m|: |dm/|m|| · |m| = |dm| ≤ |s'| |e − n| +
-/// s |e'| ≤ 3 · 2 + 1 = 7. Up: it turns as far as the facing, and relaxes by RELAXING times that; a sprite that simply
-/// faces the eye from beyond the shell has its up by direction: 1 + tan of 64° = 3 times the turn of at most 1/1.5.
-/// Noise of a millimetre: f32 directions are good to 10⁻⁷, by 10⁻³ m and r = 35 m that is 0.004.
-const BOUND: SpriteChanges = SpriteChanges { fade: 6.0, facing: 7.0, up: 7.0 * (1.0 + RELAXING) };
-
-fn exceeds(changes: SpriteChanges) -> bool {
-    changes.fade > BOUND.fade || changes.facing > BOUND.facing || changes.up > BOUND.up
-}
-
-#[test]
-fn no_sprite_jumps() {
-    let scene = scene();
-    for flight in flights() {
-        let changes = sprite_changes(&scene, &flight.cameras, FacingRule::Bounded);
-        assert!(!exceeds(changes), "{}: {changes:?}", flight.name);
-    }
-}
-
-#[test]
-fn ways_that_fail_do_jump() {
-    use FacingVariant::{LockWithoutFade, NoLock, ViewPlane, WangsDotProduct};
-    let scene = scene();
-    // Each in the figure that it is known for: spinning, snapping back, popping, turning with the head.
-    let figures: [(FacingVariant, fn(SpriteChanges) -> bool); 4] = [
-        (NoLock, |changes| changes.facing > BOUND.facing),
-        (LockWithoutFade, |changes| changes.facing > BOUND.facing),
-        (WangsDotProduct, |changes| changes.fade > BOUND.fade),
-        (ViewPlane, |changes| changes.facing > BOUND.facing),
-    ];
-    for (variant, jumps) in figures {
-        let fails = |flight: &Flight| jumps(sprite_changes(&scene, &flight.cameras, FacingRule::Variant(variant)));
-        assert!(flights().iter().any(fails), "{variant:?} keeps the bounds: the flights are too easy");
-    }
-}
 
 /// In a cloud of one colour the order costs nothing, and what is left beyond the truth's own changes is what locking and
 /// fading do. Straight through, every other way is more than twice as far off.
 #[test]
 fn pixels_follow_the_truth() {
-    let (mut scene, flights) = (scene(), flights());
-    for model in &mut scene.models {
+    let mut stage = Stage { size: [48, 27], ..through(400.0) };
+    (0..).zip(&mut stage.moments).for_each(|(step, moment)| moment.drawn = step % 3 == 0);
+    for model in &mut stage.scene.models {
         model.color_levels.iter_mut().for_each(|level| level.color = Rgba::new(1.0, 1.0, 1.0, 0.9));
         for cloud_box in &mut model.boxes {
             (cloud_box.light.c_min, cloud_box.light.c_med, cloud_box.light.c_max) = (0.3, 0.3, 0.3);
         }
     }
-    let change = |rule| pixel_change(&scene, &flights[0].cameras, (rule, Sorting::EachFrame), 3);
-    let shipped = change(FacingRule::Bounded);
+    // As many samples as the others take: how finely a pixel is sampled is another matter.
+    let truths = stage.draw(&Settings { samples_side: 1, ..truth().settings }).expect("on the CPU");
+    let excess = |method: &Method| {
+        let pictures = stage.draw(&method.settings).expect("on the CPU");
+        Figure::Excess.of(&stage, &method.settings, &pictures, &truths).expect("pictures of one size")
+    };
+    let shipped_excess = excess(shipped());
     // The truth fades alike. What is left is its filter: a quarter of a mip level more or less blur, of a tile whose
     // neighbouring levels differ by up to 0.4 of opacity where it frays, in either frame.
-    assert!(shipped < 2.0 * 0.25 * 0.4, "{shipped}");
-    for (name, rule, _) in methods().into_iter().filter(|(_, rule, _)| *rule != FacingRule::Bounded) {
-        let other = change(rule);
-        assert!(2.0 * shipped < other, "{name}: {other}, shipped {shipped}");
+    assert!(shipped_excess < 2.0 * 0.25 * 0.4, "{shipped_excess}");
+    for method in METHODS.iter().filter(|method| method.settings.facing != FacingRule::Bounded) {
+        let other = excess(method);
+        assert!(2.0 * shipped_excess < other, "{}: {other}, shipped {shipped_excess}", method.name);
     }
 }
 

@@ -13,5 +13,6 @@ mod raster;
 mod scene_file;
 mod shading;
 mod sprites;
+mod suite;
 mod thin;
 mod truth;

@@ -1,0 +1,122 @@
+//! What is measured of a method in a situation: one number, the larger the worse.
+
+use super::sprite_changes::sprite_changes;
+use super::stage::Stage;
+use cloudwright_core::color::{Premultiplied, Rgb};
+use cloudwright_core::image::{Layer, LinearPicture};
+use cloudwright_core::measure::{Stability, linear_error, opacity_error};
+use cloudwright_core::method::{Drawn, Settings};
+use cloudwright_core::scene::Camera;
+use cloudwright_core::shading::FormingRule;
+use cloudwright_core::variants::SteppedForming;
+
+/// Which number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Figure {
+    /// Largest error of any channel of any pixel against the truth, linear light.
+    Light,
+    /// The same of the clouds alone, premultiplied, their opacity among the channels.
+    Clouds,
+    /// Largest error of any pixel's opacity against the truth.
+    Opacity,
+    /// Largest change of any pixel from one picture to the next beyond the truth's own, linear light.
+    Excess,
+    /// Largest change of any pixel's opacity from one picture to the next, whatever the truth does.
+    Steps,
+    /// Largest change of any sprite for each metre flown, of its alpha, its facing or its up, in shares of [`super::CHANGES`].
+    Sprites,
+    /// Largest change of any pixel's opacity when frames come 10, 60 or 240 times a second.
+    Rates,
+}
+
+impl Figure {
+    /// In the order of reports.
+    pub const ALL: [Self; 7] =
+        [Self::Light, Self::Clouds, Self::Opacity, Self::Excess, Self::Steps, Self::Sprites, Self::Rates];
+
+    /// As it is called in a report.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Light => "light",
+            Self::Clouds => "clouds",
+            Self::Opacity => "opacity",
+            Self::Excess => "excess",
+            Self::Steps => "steps",
+            Self::Sprites => "sprites",
+            Self::Rates => "rates",
+        }
+    }
+
+    /// What it is, for a report.
+    pub fn about(self) -> &'static str {
+        match self {
+            Self::Light => "largest error of any channel of any pixel against the truth, linear light",
+            Self::Clouds => "the same of the clouds alone, premultiplied, their opacity among the channels",
+            Self::Opacity => "largest error of any pixel's opacity against the truth",
+            Self::Excess => "largest change of any pixel from picture to picture beyond the truth's own, linear light",
+            Self::Steps => "largest change of any pixel's opacity from picture to picture, whatever the truth does",
+            Self::Sprites => {
+                "largest change of any sprite's alpha, facing or up for each metre flown, times its lock distance, as a \
+                 share of 6, 7 and 28"
+            }
+            Self::Rates => "largest change of any pixel's opacity when frames come 10, 60 or 240 times a second",
+        }
+    }
+
+    /// The number for a way to draw, which made `pictures` where the truth made `truths`; none where it has none, as
+    /// where clouds have no layer of their own.
+    pub fn of(self, stage: &Stage, settings: &Settings, pictures: &[Drawn], truths: &[Drawn]) -> Option<f64> {
+        let pairs = || pictures.iter().zip(truths);
+        let layers = || pairs().map(|(a, b)| Some((a.clouds.as_ref()?, b.clouds.as_ref()?)));
+        match self {
+            Self::Light => largest(pairs().map(|(a, b)| Some(linear_error(&a.linear, &b.linear).ok()?.largest))),
+            Self::Opacity => largest(layers().map(|pair| opacity(pair?))),
+            Self::Clouds => largest(layers().map(|pair| {
+                let (a, b) = pair?;
+                let colors = linear_error(&colors_of(a), &colors_of(b)).ok()?;
+                Some(colors.largest.max(opacity((a, b))?))
+            })),
+            Self::Excess => {
+                let mut stability = Stability::new();
+                let maps: Result<Vec<_>, _> = pairs().map(|(a, b)| stability.add(&a.linear, &b.linear)).collect();
+                largest(maps.ok()?.into_iter().flatten().map(|map| Some(map.largest())))
+            }
+            Self::Steps => {
+                largest(pictures.windows(2).map(|two| opacity((two[0].clouds.as_ref()?, two[1].clouds.as_ref()?))))
+            }
+            Self::Sprites => {
+                let cameras: Vec<Camera> = stage.moments.iter().map(|moment| moment.camera.clone()).collect();
+                Some(sprite_changes(&stage.scene, &cameras, settings).share().into())
+            }
+            Self::Rates => {
+                let [slow, usual, quick] = [10, 60, 240].map(|rate| stage.draw(&at_rate(settings, rate)));
+                let (slow, usual, quick) = (slow?, usual?, quick?);
+                let both = || slow.iter().zip(&usual).chain(quick.iter().zip(&usual));
+                largest(both().map(|(a, b)| opacity((a.clouds.as_ref()?, b.clouds.as_ref()?))))
+            }
+        }
+    }
+}
+
+/// None if one of them is.
+fn largest(values: impl Iterator<Item = Option<f32>>) -> Option<f64> {
+    values.collect::<Option<Vec<f32>>>().map(|values| values.into_iter().fold(0.0, f32::max).into())
+}
+
+fn opacity((a, b): (&Layer, &Layer)) -> Option<f32> {
+    opacity_error(a, b).ok().map(|error| error.largest)
+}
+
+fn colors_of(layer: &Layer) -> LinearPicture {
+    let color = |pixel: &Premultiplied| Rgb::new(pixel.r, pixel.g, pixel.b);
+    LinearPicture { width: layer.width, height: layer.height, pixels: layer.pixels.iter().map(color).collect() }
+}
+
+/// The same where frames come so often; what is in closed form has no rate.
+fn at_rate(settings: &Settings, frames_a_second: u32) -> Settings {
+    let forming = match settings.forming {
+        FormingRule::ClosedForm => FormingRule::ClosedForm,
+        FormingRule::Variant(stepped) => FormingRule::Variant(SteppedForming { frames_a_second, ..stepped }),
+    };
+    Settings { forming, ..*settings }
+}
