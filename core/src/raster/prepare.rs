@@ -117,7 +117,7 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite) -> Sc
     let depth = view.depth(drawn.center).max(NEAR_M);
     let texels_a_pixel = TILE_SIZE as f32 * view.pixel() / (sprite.width * sprite.height).sqrt();
     let mip = match frame.filter {
-        Filter::MipLevels => sharpened((texels_a_pixel * depth).log2()),
+        Filter::MipLevels => sharpened((texels_a_pixel * depth).log2() + FINER),
         Filter::FinestLevel => 0.0,
     };
     ScreenSprite {
@@ -194,10 +194,10 @@ fn bounds(view: &View, outline: Option<&[Vec2; 4]>) -> [f32; 4] {
 }
 
 impl ScreenSprite {
-    /// Mip level at a view depth in metres for samples `spacing` pixels apart, not yet clamped: log₂ of the texels
-    /// between two samples.
+    /// Mip level at a view depth in metres for samples `spacing` pixels apart, not yet clamped: [`FINER`] than log₂ of
+    /// the texels between two samples.
     pub fn mip_at(&self, depth: f32, spacing: f32) -> f32 {
-        (self.texels_a_pixel * depth * spacing).log2()
+        (self.texels_a_pixel * depth * spacing).log2() + FINER
     }
 
     /// What the sprite shows at a pixel coordinate, with the view depth at which the ray meets it; none beside the
@@ -238,6 +238,15 @@ impl ScreenSprite {
         Some(Premultiplied { r: channel(0), g: channel(1), b: channel(2), a: light[3] * texel[3] })
     }
 }
+
+/// How much finer than a sample's square a level's texels are, log₂: −½·log₂ 3.
+///
+/// What a sample is to show is the mean over its square, a box of width 1 with the variance 1/12. What it is given has
+/// been through two filters: a texel of width s is a mean over its own square (s²/12), and lines between texels are a
+/// tent (s²/6). Both together blur as much as the sample's square where s²/4 = 1/12, at s = 1/√3. With s = 1, as mip
+/// levels are usually chosen, the blur is √3 times as wide; measured against the truth, ꟻLIP and opacity errors are
+/// least near 1/√3, and nothing flickers more.
+const FINER: f32 = -0.792_481_25;
 
 /// A mip level nearer to a whole one: the nearest quarters go to it, the half between runs twice as fast. Half of all
 /// sprites then need one level instead of two, and still nothing jumps.

@@ -76,11 +76,11 @@ pub(super) const SITUATIONS: &[Situation] = &[
     },
     Situation {
         name: "a cloud 200 km away",
-        about: "One plate whose texels are solid and clear in turn, eight and a half of them a pixel.",
+        about: "One plate whose texels are solid and clear in turn, seventeen of them a pixel.",
         stage: far_checkers,
         bound: exact(
             Figure::Light,
-            "From the first halving on, all texels are the mean of solid and clear, for one sample a pixel as for sixteen.",
+            "From the first halving on, all texels are the mean of solid and clear, for one sample a pixel as for sixteen, which are four texels apart.",
         ),
         breaks: &["no-mips"],
     },
@@ -206,8 +206,8 @@ fn before_sun(elevation_deg: f64) -> Scene {
 fn far_checkers() -> Stage {
     const DISTANCE_M: f64 = 200_000.0;
     const SIDE_M: f64 = 2_000.0;
-    const TEXELS_A_PIXEL: f64 = 8.5;
-    let size = [9, 5];
+    const TEXELS_A_PIXEL: f64 = 17.0;
+    let size = [5, 3];
     let half_height = 0.5 * f64::from(size[1]) * TEXELS_A_PIXEL * SIDE_M / 128.0 / DISTANCE_M;
     let camera = Camera { field_of_view_deg: 2.0 * half_height.atan().to_degrees(), ..Camera::free(DVec3::ZERO) };
     let scene = studio(&[plates(1.0, [ahead(DISTANCE_M, SIDE_M, 1.0)])]);

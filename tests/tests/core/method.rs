@@ -97,7 +97,8 @@ fn errors_are_as_the_families_say() {
         assert!((rmse(name) - fast).abs() < 2e-3, "{name}");
     }
     assert!(rmse("four-samples") < fast, "more samples are nearer to sixteen");
-    for name in ["eight-bits", "view-plane", "three-quarters"] {
+    // Which way sprites turn is seen when the eye moves: the suite judges it.
+    for name in ["eight-bits", "three-quarters"] {
         assert!(rmse(name) > fast, "{name}: {}, shipped {fast}", rmse(name));
     }
     // A stop is judged against no stop.

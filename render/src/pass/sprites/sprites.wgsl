@@ -91,11 +91,14 @@ fn lit_texel(in: Corner) -> vec4f {
     return light.a * vec4f(min(rgb, vec3f(BRIGHTEST * texel.a)), texel.a);
 }
 
-// log₂ of the tile's texels that fall on a pixel, sharpened, within the levels there are.
+// The CPU's (core/src/raster/prepare.rs): −½·log₂ 3.
+const FINER: f32 = -0.79248125;
+
+// The level whose texels, twice filtered, blur as much as a pixel does, sharpened, within the levels there are.
 fn mip_level(center: vec3f, sprite: Sprite) -> f32 {
     let depth = max(dot(center, frame.forward_in_world), frame.near_m);
     let texels = TILE_SIZE * depth * frame.pixel / sqrt(sprite.width * sprite.height);
-    let mip = log2(texels);
+    let mip = log2(texels) + FINER;
     let level = floor(mip);
     let sharpened = level + clamp(2.0 * (mip - level) - 0.5, 0.0, 1.0);
     return clamp(sharpened, 0.0, LAST_MIP);
