@@ -72,3 +72,54 @@ impl Memory {
         &self.history
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::editor::starter_scene;
+    use cloudwright_core::method::named;
+    use cloudwright_core::scene::{PathId, PathKey};
+
+    /// From before the starter's cloud to its middle.
+    fn into_the_cloud() -> (Derived, CameraPath) {
+        let mut scene = starter_scene();
+        let key = |time_s: f64, z: f64| {
+            let position = DVec3::new(0.0, 1190.0, z);
+            PathKey { time_s, position, heading_deg: 0.0, pitch_deg: 0.0, roll_deg: 0.0 }
+        };
+        let path = CameraPath::new(PathId::new(&mut scene.next_id), "in", vec![key(0.0, 800.0), key(8.0, 0.0)]);
+        (Derived::new(&scene), path)
+    }
+
+    #[test]
+    fn a_flight_that_is_left_is_gone_on_from() {
+        let (derived, path) = into_the_cloud();
+        let mut memory = Memory::default();
+        let flown = memory.fly(&path, 8.0, &derived, false).clone();
+        let (camera, alone) = {
+            let mut playback = Playback::with_history(&path, ViewHistory::default());
+            let (camera, history) = playback.seek(&derived, 8.0);
+            (camera, history.clone())
+        };
+        assert!(flown == alone, "what the path's own playback remembers");
+        assert!(flown != ViewHistory::default(), "sprites near the eye are remembered");
+        assert!(*memory.follow(&camera, &derived) == flown, "the hand is where the flight was");
+        // A gesture holds the memory; its end may bring another path.
+        assert!(*memory.fly(&path, 0.0, &derived, true) == flown);
+        assert!(*memory.fly(&path, 0.0, &derived, false) != flown);
+    }
+
+    #[test]
+    fn other_rules_begin_anew() {
+        let (derived, path) = into_the_cloud();
+        let mut memory = Memory::default();
+        let by_ours = memory.fly(&path, 8.0, &derived, false).clone();
+        let rules = named("no-lock").expect("in the table").settings.history();
+        memory.go_by(rules.clone());
+        assert!(memory.history == rules, "nothing of the old rules is left");
+        memory.fly(&path, 8.0, &derived, false);
+        memory.go_by(rules);
+        memory.go_by(ViewHistory::default());
+        assert!(*memory.fly(&path, 8.0, &derived, false) == by_ours, "the same way by the same rules");
+    }
+}

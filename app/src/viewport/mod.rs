@@ -8,6 +8,7 @@ mod bounds;
 mod box_tool;
 mod brush;
 mod cameras;
+mod canvas;
 mod faces;
 mod fly;
 mod gizmo;
@@ -30,28 +31,26 @@ mod steer;
 mod targets;
 mod wireframe;
 
-use crate::editor::{Action, Choose, Item, Lens, Selection, Session, Tool, ViewChange};
+use crate::editor::{Action, Choose, Item, Selection, Session, Tool, ViewChange};
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use box_tool::BoxTool;
-use brush::{Brush, Place};
+use brush::Place;
+use canvas::Canvas;
 use cloudwright_core::camera::View;
 use cloudwright_core::facing::FacingMemory;
-use cloudwright_core::method::{self, Settings};
 use cloudwright_core::scene::{Camera, PathId};
 use eframe::egui_wgpu::RenderState;
-use egui::{Color32, CursorIcon, Painter, Rect, Response, Sense, Ui, Vec2, pos2};
+use egui::{CursorIcon, Painter, Response, Sense, Ui, Vec2};
 use faces::Faces;
 use gizmo::GizmoHands;
 use glam::DVec3;
 use hud::Readout;
-use lens::LensSource;
 use marks::Marks;
 use marquee::Marquee;
 use navigation::Navigation;
 use paths::Paths;
 use pick::{Clicks, Picked};
-use picture::PictureSource;
 use pilot::Pilot;
 use ride::{Ride, Seat};
 use screen::Screen;
@@ -61,13 +60,8 @@ use std::time::Duration;
 pub(crate) struct Viewport {
     navigation: Navigation,
     pilot: Pilot,
-    /// What the picture is drawn by.
-    brush: Brush,
-    /// The truth's, while a lens compares with it.
-    true_brush: Brush,
-    lens: LensSource,
     ride: Option<Ride>,
-    picture: PictureSource,
+    canvas: Canvas,
     marks: Marks,
     paths: Paths,
     clicks: Clicks,
@@ -90,11 +84,8 @@ impl Viewport {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             pilot: Pilot::default(),
-            brush: Brush::default(),
-            true_brush: Brush::default(),
-            lens: LensSource::new(context),
             ride: None,
-            picture: PictureSource::new(context, choice, device),
+            canvas: Canvas::new(context, choice, device),
             marks: Marks::default(),
             paths: Paths::default(),
             clicks: Clicks::default(),
@@ -125,7 +116,7 @@ impl Viewport {
         });
         let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
         self.leave();
-        self.begin_anew();
+        self.canvas.begin_anew();
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
 
@@ -133,7 +124,7 @@ impl Viewport {
     pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
         if let Some((center, radius)) = bounds::bounds(selection, session) {
             self.leave();
-            self.begin_anew();
+            self.canvas.begin_anew();
             self.navigation.frame(center, radius);
         }
     }
@@ -159,16 +150,10 @@ impl Viewport {
         self.ride = None;
     }
 
-    /// The view is put elsewhere, and has come no way.
-    fn begin_anew(&mut self) {
-        self.brush.begin_anew();
-        self.true_brush.begin_anew();
-    }
-
     /// Ends the flight along a path; the view is the one from before.
     pub(crate) fn get_off(&mut self) {
         if let Some(ride) = self.ride.take() {
-            self.begin_anew();
+            self.canvas.begin_anew();
             self.navigation = ride.before;
         }
     }
@@ -190,17 +175,17 @@ impl Viewport {
 
     /// Which renderer draws.
     pub(crate) fn renderer_name(&self) -> String {
-        self.picture.renderer_name()
+        self.canvas.renderer_name()
     }
 
     /// What the last picture took.
     pub(crate) fn picture_time(&self) -> Option<Duration> {
-        self.picture.time()
+        self.canvas.time()
     }
 
     /// How often the last picture's pixels were blended over, in the mean, where that is known.
     pub(crate) fn overdraw(&self) -> Option<f32> {
-        self.picture.overdraw()
+        self.canvas.overdraw()
     }
 
     /// Whether a tool goes on with its gesture though no button is down.
@@ -284,43 +269,14 @@ impl Viewport {
         seat: Option<&Seat>,
         reading: &Reading<'_>,
     ) -> FacingMemory {
-        let (session, view) = (reading.session, reading.view);
+        let session = reading.session;
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
         let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round().max(Vec2::ONE);
         self.aspect = pixels.x / pixels.y;
         let path = self.ride.as_ref().filter(|_| seat.is_some()).and_then(|ride| session.scene().path(ride.path));
         let place = Place { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
-        let own = || Settings { sorting: view.sorting, ..self.picture.own_settings() };
-        let settings = view.method.map_or_else(own, |method| method.settings);
-        let shot = self.brush.shot(&settings, &place, reading);
-        let is_compared = matches!(view.lens, Lens::Wipe | Lens::Error);
-        let truth = is_compared.then(|| self.true_brush.shot(&method::truth().settings, &place, reading));
-        if truth.is_none() {
-            self.true_brush = Brush::default();
-        }
-        match view.lens {
-            Lens::Picture => self.lens.put_away(),
-            _ if quick => self.lens.wait(),
-            lens => self.lens.ask(lens, session, shot.clone(), truth),
-        }
-        // Marks are at all sprites, whatever is drawn.
-        let facing = if shot.clouds.is_none() { shot.history.facing.clone() } else { FacingMemory::default() };
-        self.picture.ask(session, shot, quick);
-        match self.picture.texture() {
-            Some(texture) => {
-                let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
-                painter.image(texture, response.rect, whole, Color32::WHITE);
-            }
-            None => {
-                painter.rect_filled(response.rect, 0.0, ui.visuals().extreme_bg_color);
-            }
-        }
-        if view.lens != Lens::Picture {
-            let name = view.method.map_or("picture", |method| method.name);
-            self.lens.show(ui, painter, response.rect, view.lens, name);
-        }
-        facing
+        self.canvas.show(ui, painter, response.rect, &place, quick, reading)
     }
 
     /// The tools: who gets the primary button is decided when it goes down.

@@ -9,9 +9,10 @@ pub fn report(rows: &[Row]) -> String {
     let methods: Vec<&Method> =
         rows.first().map_or(Vec::new(), |row| row.cells.iter().map(|cell| cell.method).collect());
     let names: Vec<&str> = methods.iter().map(|method| method.name).collect();
-    let mut out = "# Where methods fail\n\nMethods in situations that are hard for one of them, each by the figure that shows \
+    let mut out =
+        "# Where methods fail\n\nMethods in situations that are hard for one of them, each by the figure that shows \
                    it.\n\n"
-        .to_owned();
+            .to_owned();
     out += &format!("| situation | figure | at most | {} |\n", names.join(" | "));
     out += &format!("|{}\n", "---|".repeat(3 + methods.len()));
     for row in rows {

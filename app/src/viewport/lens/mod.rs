@@ -49,7 +49,7 @@ struct Key {
     lens: Lens,
     revision: Version,
     shot: Shot,
-    truth: Option<Shot>,
+    truth: Shot,
 }
 
 struct Shown {
@@ -75,7 +75,7 @@ impl LensSource {
     }
 
     /// Has what `lens` shows of `shot` drawn, unless that is done; `truth` is the same view as the truth draws it.
-    pub(super) fn ask(&mut self, lens: Lens, session: &Session, shot: Shot, truth: Option<Shot>) {
+    pub(super) fn ask(&mut self, lens: Lens, session: &Session, shot: Shot, truth: Shot) {
         let key = Key { lens, revision: session.revision(), shot, truth };
         if self.wanted.as_ref().is_none_or(|wanted| wanted.key != key) {
             self.drop_wish();

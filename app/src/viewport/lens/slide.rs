@@ -23,8 +23,8 @@ pub(super) struct Wish {
     pub(super) derived: Arc<Derived>,
     pub(super) beside: Beside,
     pub(super) shot: Shot,
-    /// For what is compared with it.
-    pub(super) truth: Option<Shot>,
+    /// The same view as the truth draws it.
+    pub(super) truth: Shot,
     pub(super) number: Version,
     /// Of the slide's pixels, the side in the viewport's pixels.
     pub(super) coarseness: u32,
@@ -67,7 +67,7 @@ pub(super) fn draw(wish: &Wish) -> Option<Slide> {
         let shot = Shot { settings: *settings, ..smaller(shot) };
         settings.picture(&shot.frame(scene, derived, beside), watch).filter(|_| !watch.is_cancelled())
     };
-    let truth = || wish.truth.as_ref().and_then(|truth| picture_of(truth, &truth.settings));
+    let truth = || picture_of(&wish.truth, &wish.truth.settings);
     let map_of = |map: fn(&cloudwright_core::frame::Frame<'_>) -> PixelMap| {
         (!watch.is_cancelled()).then(|| map(&smaller(&wish.shot).frame(scene, derived, beside)))
     };
