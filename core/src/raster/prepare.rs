@@ -194,8 +194,8 @@ fn bounds(view: &View, outline: Option<&[Vec2; 4]>) -> [f32; 4] {
 }
 
 impl ScreenSprite {
-    /// Mip level at a view depth in metres for samples `spacing` pixels apart, not yet clamped: [`FINER`] than log₂ of
-    /// the texels between two samples.
+    /// Mip level at a view depth in metres for samples `spacing` pixels apart, not yet clamped: a little finer
+    /// than log₂ of the texels between two samples.
     pub fn mip_at(&self, depth: f32, spacing: f32) -> f32 {
         (self.texels_a_pixel * depth * spacing).log2() + FINER
     }
