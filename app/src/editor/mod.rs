@@ -258,6 +258,7 @@ impl Editor {
             charting,
             copied_levels: copied_levels.as_ref(),
             view_heading_deg: viewport.camera().heading_deg,
+            draws_aircraft: viewport.draws_aircraft(),
             levels_shown: layout.shows(Panel::ColorLevels),
             is_recording: recording.is_some(),
             flight_shown: layout.shows(Panel::Flight),

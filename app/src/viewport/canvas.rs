@@ -46,6 +46,11 @@ impl Canvas {
         self.picture.renderer_name()
     }
 
+    /// Whether that draws aircraft too.
+    pub(super) fn draws_aircraft(&self) -> bool {
+        self.picture.is_by_gpu()
+    }
+
     /// What the last picture took.
     pub(super) fn time(&self) -> Option<Duration> {
         self.picture.time()

@@ -178,6 +178,11 @@ impl Viewport {
         self.canvas.renderer_name()
     }
 
+    /// Whether that draws aircraft too.
+    pub(crate) fn draws_aircraft(&self) -> bool {
+        self.canvas.draws_aircraft()
+    }
+
     /// What the last picture took.
     pub(crate) fn picture_time(&self) -> Option<Duration> {
         self.canvas.time()
