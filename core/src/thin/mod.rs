@@ -3,7 +3,8 @@
 //! A scene is looked at from its cameras, along its paths and from around each cloud, that one alone (`vantages.rs`), by the light of its
 //! hour and with every cloud whole. Sprites are sorted by the most that they add to any of these pictures (`losses.rs`),
 //! and as many of the least are dropped as leave each picture's mean FLIP against the scene as it was within the
-//! tolerance. Then what is left is weighed again, for what stood behind the dropped ones shows now.
+//! tolerance. Then what is left is weighed again, for what stood behind the dropped ones shows now. Where even a few can't
+//! be spared although they show little (they moved the light of others, say), they stay, and the next ones are tried.
 //!
 //! Dropped sprites are edits of their boxes, as if by hand; a candidate that the cull had left out in favour of one
 //! that is gone is dropped too. Clouds of one model share their boxes, and so what is dropped.
@@ -32,6 +33,8 @@ use vantages::{Vantage, vantages};
 const SIZE: [u32; 2] = [240, 135];
 /// Of the sprites, the smallest share that is worth another try.
 const FINEST: usize = 128;
+/// So many such shares may turn out to be missed before it ends.
+const MISSED: usize = 16;
 
 /// What a scene can do without.
 #[derive(Debug, Clone, PartialEq)]
@@ -89,32 +92,35 @@ pub fn thin(scene: &Scene, atlas: &Atlas, tolerance: f64, watch: &Watch) -> Resu
         return Err(ThinError::NoSprites);
     }
     let judge = Judge::new(&trial, atlas, tolerance, watch);
-    let (mut held, mut step, mut ranked) = (None, 0, Vec::new());
-    loop {
-        if watch.is_cancelled() {
-            return Err(ThinError::Cancelled);
-        }
-        if ranked.is_empty() {
+    let finest = (trial.keys_at_first / FINEST).max(1);
+    let (mut held, mut step, mut missed) = (None, usize::MAX, FxHashSet::default());
+    let mut ranked = Vec::new();
+    while missed.len() < MISSED * finest && !watch.is_cancelled() {
+        if ranked.len() < step {
             ranked = judge.ranked(&trial);
-            step = if step == 0 { ranked.len() / 2 } else { step.min(ranked.len() / 2) };
+            ranked.retain(|key| !missed.contains(key));
+            step = step.min(ranked.len() / 2);
         }
-        let finest = (trial.keys_at_first / FINEST).max(1);
         if step < finest {
             break;
         }
-        watch.reach(progress(step, trial.keys_at_first));
+        watch.reach(progress(step, missed.len(), trial.keys_at_first));
         trial.drop_sprites(&ranked[..step]);
         match judge.worst(&trial) {
             Some(worst) => (held, ranked) = (Some(worst), Vec::new()),
             None => {
                 trial.take_back();
-                step = if step == finest { 0 } else { (step / 2).max(finest) };
+                if step == finest {
+                    // Some of them matter more than was guessed. Others may not.
+                    missed.extend(ranked.drain(..step));
+                }
+                step = (step / 2).max(finest);
             }
         }
     }
     match held {
         _ if watch.is_cancelled() => Err(ThinError::Cancelled),
-        None => Err(ThinError::CannotHold { sprites: (trial.keys_at_first / FINEST).max(1), tolerance }),
+        None => Err(ThinError::CannotHold { sprites: finest, tolerance }),
         Some((error, view)) => Ok(Thinned {
             edits: trial.edits(scene),
             before,
@@ -130,10 +136,12 @@ fn id_of(sprite: &Sprite) -> SpriteId {
     (sprite.box_id, sprite.index)
 }
 
-/// Steps halve from half of all sprites to the finest: so many times of how many.
-fn progress(step: usize, all: usize) -> f32 {
+/// Steps halve from half of all sprites to the finest: so many times of how many; that is half of the way. The other
+/// half are the sprites that turn out to be missed.
+fn progress(step: usize, missed: usize, all: usize) -> f32 {
     let halvings = |times: usize| (times.max(1) as f32).log2();
-    (1.0 - halvings(step * FINEST / all.max(1)) / halvings(FINEST)).clamp(0.0, 1.0)
+    let halved = 1.0 - halvings(step * FINEST / all.max(1)) / halvings(FINEST);
+    0.5 * halved.clamp(0.0, 1.0) + 0.5 * (missed * FINEST) as f32 / (all.max(1) * MISSED) as f32
 }
 
 /// The scene with some sprites less.
