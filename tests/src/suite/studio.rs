@@ -99,6 +99,11 @@ pub fn checkered_atlas() -> Atlas {
     atlas(|x, y| if (x + y) % 2 == 0 { 255 } else { 0 })
 }
 
+/// The same with all clear to the left of `texel`.
+pub fn half_atlas(texel: usize) -> Atlas {
+    atlas(|x, _| if x % 128 >= texel { 255 } else { 0 })
+}
+
 fn atlas(alpha: impl Fn(usize, usize) -> u8) -> Atlas {
     let inside = |t: usize| (16..112).contains(&(t % 128));
     let texel = |i: usize| {

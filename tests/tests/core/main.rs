@@ -5,6 +5,7 @@ mod assets;
 mod derived;
 mod draw_list;
 mod export;
+mod filter;
 mod flight;
 mod measure;
 mod method;
