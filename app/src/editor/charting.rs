@@ -19,7 +19,7 @@ use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;
 use cloudwright_render::AdapterChoice;
 use std::sync::Arc;
-use std::sync::mpsc::{Receiver, Sender, channel};
+use std::sync::mpsc::{Receiver, Sender, TryRecvError, channel};
 use std::time::Duration;
 
 /// Between two looks at how far it has come.
@@ -140,22 +140,17 @@ impl Charting {
 
     fn take_up_news(&mut self) {
         let Some(work) = &self.work else { return };
-        let mut is_done = false;
-        for news in work.news.try_iter() {
-            match news {
-                Ok(report) => {
-                    is_done = !report.unfinished;
+        loop {
+            match work.news.try_recv() {
+                Ok(Ok(report)) => {
                     self.measured = Some(Measured { report, of: work.of.clone(), is_stale: false });
                 }
-                Err(trouble) => {
-                    is_done = true;
-                    self.trouble = Some(trouble);
-                }
+                Ok(Err(trouble)) => self.trouble = Some(trouble),
+                Err(TryRecvError::Empty) => return,
+                Err(TryRecvError::Disconnected) => break,
             }
         }
-        if is_done {
-            self.work = None;
-        }
+        self.work = None;
     }
 }
 
@@ -168,7 +163,7 @@ impl Editor {
         }
         if let Some(mut measured) = self.charting.measured.take() {
             let along_path = matches!(measured.of.eye, OwnedEye::Path(_));
-            measured.is_stale = self.looked_at(along_path).as_ref() != Some(&measured.of);
+            measured.is_stale = self.looked_at(along_path) != measured.of;
             self.charting.measured = Some(measured);
         }
     }
@@ -185,23 +180,19 @@ impl Editor {
         }
     }
 
-    /// What would be measured now; none along a path that isn't there.
-    fn looked_at(&self, along_path: bool) -> Option<Of> {
+    /// What would be measured now: the path, if there is one that leads anywhere, or the view.
+    fn looked_at(&self, along_path: bool) -> Of {
         let Self { session, view, clock, .. } = self;
-        let eye = if along_path {
-            OwnedEye::Path(Box::new(clock.path_to_fly(session.scene())?.clone()))
-        } else {
-            OwnedEye::View { camera: Box::new(self.camera().clone()), clock_s: clock.time_s() }
+        let eye = match clock.path_to_fly(session.scene()).filter(|_| along_path) {
+            Some(path) => OwnedEye::Path(Box::new(path.clone())),
+            None => OwnedEye::View { camera: Box::new(self.camera().clone()), clock_s: clock.time_s() },
         };
         let hour = self.time_play.hour().unwrap_or(session.scene().time_of_day_h);
-        Some(Of { revision: session.revision(), eye, hour, hidden: view.hidden_in(session.scene()) })
+        Of { revision: session.revision(), eye, hour, hidden: view.hidden_in(session.scene()) }
     }
 
     fn measure(&mut self, context: &egui::Context) {
-        let Some(of) = self.looked_at(self.charting.along_path) else {
-            self.charting.trouble = Some("there is no path that leads anywhere".into());
-            return;
-        };
+        let of = self.looked_at(self.charting.along_path);
         if self.session.derived().clouds().iter().all(|cloud| cloud.sprites.is_empty()) {
             self.charting.trouble = Some("there are no sprites, so all methods draw the same".into());
             return;
