@@ -10,6 +10,7 @@ mod ball;
 mod cumulonimbus;
 mod cumulus;
 mod fair_weather;
+mod forming;
 mod look;
 mod overcast;
 mod presets;
@@ -34,4 +35,5 @@ pub const SCENES: &[NamedScene] = &[
     ("morning_stratus", stratus::scene),
     ("altocumulus", altocumulus::scene),
     ("overcast", overcast::scene),
+    ("forming", forming::scene),
 ];

@@ -55,15 +55,22 @@ fn write_scenes(folder: &str, scenes: &[NamedScene]) -> Result<(), Box<dyn Error
 fn charts() -> Result<(), Box<dyn Error>> {
     const METHODS: &str = "truth,fast,four-samples,crossfade,early-stop,three-quarters,half,quarter,eight-bits,view-plane,\
                            no-lock,dot-product,no-mips";
-    for (name, scene) in [("single_cumulus", "single_cumulus"), ("overcast", "overcast"), ("dusk", "cumulonimbus_dusk")]
-    {
+    // Elsewhere no cloud forms, and these draw what others do.
+    const STEPPED: &str = ",stepped-as-printed,stepped-mended";
+    for (name, scene, more) in [
+        ("single_cumulus", "single_cumulus", ""),
+        ("overcast", "overcast", ""),
+        ("dusk", "cumulonimbus_dusk", ""),
+        ("forming", "forming", STEPPED),
+    ] {
+        let methods = format!("{METHODS}{more}");
         let folder = format!("assets/charts/{name}");
         // A broken-off or older measurement is not gone on with.
         for file in ["chart.json", "chart.html"] {
             let _ = fs::remove_file(format!("{folder}/{file}"));
         }
         let scene = format!("assets/scenes/{scene}.{}", scene_file::EXTENSION);
-        let chart = ["chart", &scene, "-o", &folder, "--size", "320x180", "--methods", METHODS];
+        let chart = ["chart", &scene, "-o", &folder, "--size", "320x180", "--methods", &methods];
         let run = ["run", "--quiet", "--release", "--package", "cloudwright", "--"];
         if !Command::new("cargo").args(run).args(chart).status()?.success() {
             return Err(format!("{name} could not be charted").into());
