@@ -1,10 +1,12 @@
-//! A method's mark, its colour, and what is known of it.
+//! A method's mark, what is known of it, and what a click on it does.
 
 use crate::chart::report::Method;
 use crate::chart::text::figure;
+use crate::editor::{Action, ViewChange};
+use crate::panel::Reading;
 use crate::theme;
 use cloudwright_core::method::{self, Family};
-use egui::{Color32, Ui};
+use egui::Ui;
 use egui_plot::MarkerShape;
 
 /// Its family; another program's methods are others.
@@ -21,8 +23,15 @@ pub(super) fn shape(family: Family) -> MarkerShape {
     }
 }
 
-pub(super) fn color(ui: &Ui, family: Family) -> Color32 {
-    theme::family(ui, family)
+/// Whether the viewport is drawn by it.
+pub(super) fn is_chosen(method: &Method, reading: &Reading<'_>) -> bool {
+    reading.view.method.is_some_and(|chosen| chosen.name == method.name)
+}
+
+/// Has the viewport drawn by it; if it is already, by the window's own way.
+pub(super) fn choose_method(method: &Method, reading: &Reading<'_>) -> Action {
+    let method = method::named(&method.name).filter(|_| !is_chosen(method, reading));
+    Action::View(ViewChange::Method(method))
 }
 
 /// What it does, and its figures: for a tooltip.

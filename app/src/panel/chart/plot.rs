@@ -3,16 +3,16 @@
 //! egui_plot has linear axes alone, so it is given places on the sheet of [`LogAxis`], the one that `chart.html` has,
 //! with its rail for what is 0. Points are widgets over the plot, for the pointer and for those who can't see them.
 
-use super::figures::{card, color, family, shape};
+use super::figures::{card, choose_method, family, is_chosen, shape};
 use crate::chart::front;
 use crate::chart::labels::{self, Rect, Wanted};
 use crate::chart::log_axis::LogAxis;
 use crate::chart::report::{Method, Report};
-use crate::editor::{Action, ChartChange, ViewChange};
+use crate::editor::{Action, ChartChange};
 use crate::panel::Reading;
 use crate::panel::fields::name_it;
 use crate::theme;
-use cloudwright_core::method::{self, Family};
+use cloudwright_core::method::Family;
 use egui::{Align2, Color32, ComboBox, FontId, Pos2, Sense, Stroke, Ui, vec2};
 use egui_plot::{GridMark, HLine, Line, LineStyle, Plot, PlotBounds, PlotPoint, PlotTransform, Points};
 
@@ -50,7 +50,7 @@ pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions:
     let flickers = report.methods.iter().any(|method| method.stability.is_some());
     let by_flicker = flickers && reading.charting.shows_flicker;
     if flickers {
-        choose(ui, by_flicker, actions);
+        choose_error(ui, by_flicker, actions);
     }
     let point = |method: &Method| if by_flicker { method.cost_and_excess() } else { method.cost_and_error() };
     let known: Vec<(&Method, [f64; 2])> =
@@ -67,15 +67,10 @@ pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions:
     let cost = LogAxis::new(&along(0), [0.0, size[0]], RAIL);
     let error = LogAxis::new(&along(1), [0.0, size[1]], RAIL);
     let sheet = Sheet { size, cost, error };
-    let mark = |(method, [cost, error]): &(&'_ Method, [f64; 2])| {
+    let marks = known.into_iter().map(|(method, [cost, error])| {
         let family = family(method);
-        let is_chosen = reading.view.method.is_some_and(|chosen| chosen.name == method.name);
-        let is_named = method.on_front || is_chosen || matches!(family, Family::Truth | Family::Shipped);
-        (family, [sheet.cost.at(*cost), sheet.error.at(*error)], is_named)
-    };
-    let marks = known.iter().map(|known| {
-        let (family, at, is_named) = mark(known);
-        Mark { method: known.0, family, at, is_named }
+        let is_named = method.on_front || is_chosen(method, reading) || family != Family::Other;
+        Mark { method, family, at: [sheet.cost.at(cost), sheet.error.at(error)], is_named }
     });
     let marks: Vec<Mark<'_>> = marks.collect();
     let tolerance = (!by_flicker).then_some(reading.charting.tolerance);
@@ -88,16 +83,16 @@ pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions:
         let response = ui.interact(rect, ui.scope_id().with(&mark.method.name), Sense::click());
         name_it(ui, &response, &format!("Point of {}", mark.method.name));
         if response.hovered() || response.has_focus() {
-            ui.painter().circle_stroke(rect.center(), REACH / 2.0, Stroke::new(1.5, color(ui, mark.family)));
+            ui.painter().circle_stroke(rect.center(), REACH / 2.0, Stroke::new(1.5, theme::family(ui, mark.family)));
         }
         let response = response.on_hover_ui(|ui| card(ui, mark.method));
         if response.clicked() {
-            actions.push(Action::View(ViewChange::Method(method::named(&mark.method.name))));
+            actions.push(choose_method(mark.method, reading));
         }
     }
 }
 
-fn choose(ui: &mut Ui, by_flicker: bool, actions: &mut Vec<Action>) {
+fn choose_error(ui: &mut Ui, by_flicker: bool, actions: &mut Vec<Action>) {
     let name = |flicker: bool| if flicker { "flicker against cost" } else { "error against cost" };
     let combo = ComboBox::from_id_salt("error").selected_text(name(by_flicker)).show_ui(ui, |ui| {
         for flicker in [false, true] {
@@ -120,12 +115,12 @@ fn draw(
 ) -> PlotTransform {
     let [costs, errors] =
         [ticks(&sheet.cost, NUMBERS_APART), ticks(&sheet.error, f64::from(ui.spacing().interact_size.y))];
-    let (soft, accent) = (ui.visuals().weak_text_color(), color(ui, Family::Shipped));
+    let (soft, accent) = (ui.visuals().weak_text_color(), theme::family(ui, Family::Shipped));
     let front = front.to_vec();
     let items: Vec<(Points<'_>, Option<Points<'_>>)> = marks
         .iter()
         .map(|mark| {
-            let color = color(ui, mark.family);
+            let color = theme::family(ui, mark.family);
             let points = Points::new(&*mark.method.name, vec![mark.at]).shape(shape(mark.family)).color(color);
             let ring = Points::new("", vec![mark.at]).filled(false).color(color).radius(RADIUS * 1.8);
             (points.radius(RADIUS).allow_hover(false), (mark.family == Family::Shipped).then_some(ring))
@@ -190,8 +185,9 @@ fn name_marks(ui: &Ui, marks: &[Mark<'_>], front: &[[f64; 2]], transform: &PlotT
     let named: Vec<&Mark<'_>> = marks.iter().filter(|mark| mark.is_named).collect();
     let painter = ui.painter_at(*transform.frame());
     let font = FontId::proportional(theme::SMALL_TEXT);
-    let names =
-        named.iter().map(|mark| painter.layout_no_wrap(mark.method.name.clone(), font.clone(), color(ui, mark.family)));
+    let names = named
+        .iter()
+        .map(|mark| painter.layout_no_wrap(mark.method.name.clone(), font.clone(), theme::family(ui, mark.family)));
     let names: Vec<_> = names.collect();
     let place = |at: [f64; 2]| {
         let at = on_screen(transform, at);

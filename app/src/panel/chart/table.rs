@@ -1,12 +1,11 @@
 //! The figures, from cheap to dear; a click on a name has the viewport draw by that method.
 
-use super::figures::{card, color, family};
+use super::figures::{card, choose_method, family, is_chosen};
 use crate::chart::report::{Method, Report};
 use crate::chart::text::figure;
-use crate::editor::{Action, ViewChange};
+use crate::editor::Action;
 use crate::panel::Reading;
 use crate::theme;
-use cloudwright_core::method;
 use egui::{Align, Grid, Layout, RichText, Ui, vec2};
 
 pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -24,13 +23,11 @@ pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions:
         }
         ui.end_row();
         for row in methods {
-            let known = method::named(&row.name);
-            let chosen = known.is_some() && reading.view.method == known;
-            let name = RichText::new(&row.name).color(color(ui, family(row)));
+            let name = RichText::new(&row.name).color(theme::family(ui, family(row)));
             let name = if row.on_front { name.strong() } else { name };
-            let response = ui.selectable_label(chosen, name).on_hover_ui(|ui| card(ui, row));
+            let response = ui.selectable_label(is_chosen(row, reading), name).on_hover_ui(|ui| card(ui, row));
             if response.clicked() {
-                actions.push(Action::View(ViewChange::Method(known.filter(|_| !chosen))));
+                actions.push(choose_method(row, reading));
             }
             let excess = row.stability.as_ref().and_then(|stability| stability.excess_mean);
             let figures = [row.cost.frame_ms, row.error.flip_mean].into_iter().chain(flickers.then_some(excess));
