@@ -69,6 +69,23 @@ impl<Request: Send + 'static, Answer: Send + 'static> Latest<Request, Answer> {
         Ok(Self { slot, answers })
     }
 
+    /// As [`Latest::start`], for much work: in a pool of its own, of all cores but one, which is the window's.
+    ///
+    /// # Errors
+    /// If the system gives no thread.
+    pub(crate) fn start_beside_the_window(
+        name: &'static str,
+        mut work: impl FnMut(Request) -> Answer + Send + 'static,
+        wake: impl Fn() + Send + 'static,
+    ) -> std::io::Result<Self> {
+        let pool = pool_beside_the_window(name);
+        let work = move |request| match &pool {
+            Some(pool) => pool.install(|| work(request)),
+            None => work(request),
+        };
+        Self::start(name, work, wake)
+    }
+
     /// Asks; a request that still waits is replaced.
     pub fn ask(&self, request: Request) {
         self.slot.lock().waiting = Some(request);

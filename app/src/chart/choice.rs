@@ -7,12 +7,20 @@ use crate::renderer::RenderError;
 use cloudwright_core::method::{self, METHODS, Method, Renderer};
 use cloudwright_render::AdapterChoice;
 
+/// All that make a difference, and need no adapter.
+pub(crate) fn on_the_cpu() -> Vec<String> {
+    names(|renderer| !matches!(renderer, Renderer::Plain | Renderer::Gpu))
+}
+
+/// The plain way is slow, and draws what “no-stop” draws.
+fn names(is_meant: impl Fn(Renderer) -> bool) -> Vec<String> {
+    METHODS.iter().filter(|method| is_meant(method.settings.renderer)).map(|method| method.name.to_owned()).collect()
+}
+
 /// Those of the names `asked` for, or all that make a difference, ready to draw; and what is left out.
 pub(crate) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> (Vec<Easel<'a>>, Vec<LeftOut>) {
     let (mut easels, mut left_out): (Vec<Easel<'a>>, Vec<LeftOut>) = Default::default();
-    // The plain way is slow, and draws what “no-stop” draws.
-    let all = METHODS.iter().filter(|method| method.settings.renderer != Renderer::Plain);
-    let all: Vec<String> = all.map(|method| method.name.to_owned()).collect();
+    let all = names(|renderer| renderer != Renderer::Plain);
     // A program that plays a GPU is worth a look only to someone who asks for it.
     let (names, adapter) =
         if asked.is_empty() { (&all[..], AdapterChoice::HardwareOnly) } else { (asked, AdapterChoice::Any) };

@@ -14,6 +14,7 @@ use cloudwright_core::view_history::{STEP_S, ViewHistory};
 use cloudwright_core::watch::Watch;
 use cloudwright_render::{AdapterChoice, Gpu, PassClock};
 use std::borrow::Cow;
+use std::sync::Arc;
 use std::time::Instant;
 
 /// A method at its subject.
@@ -25,6 +26,8 @@ pub struct Easel<'a> {
     derived: Cow<'a, Derived>,
     way: Way,
     gpu: Option<Box<(Gpu, cloudwright_render::Renderer)>>,
+    /// Cancelled: pictures need not be whole any more.
+    stop: Arc<Watch>,
 }
 
 #[derive(Debug)]
@@ -76,7 +79,13 @@ impl<'a> Easel<'a> {
             None
         };
         let derived = method.settings.clouds(subject.derived, subject.atlas);
-        Ok(Self { method, subject, derived, way, gpu })
+        Ok(Self { method, subject, derived, way, gpu, stop: Arc::default() })
+    }
+
+    /// What it draws need not be whole once `stop` is cancelled.
+    #[must_use]
+    pub fn until(self, stop: &Arc<Watch>) -> Self {
+        Self { stop: Arc::clone(stop), ..self }
     }
 
     /// The adapter, if it needs one.
@@ -89,10 +98,10 @@ impl<'a> Easel<'a> {
     /// # Errors
     /// If the adapter fails.
     pub fn draw(&mut self, at_s: f64) -> Result<Shot, RenderError> {
-        let start = Instant::now();
+        let (start, stop) = (Instant::now(), Arc::clone(&self.stop));
         let settings = &self.method.settings;
         let (frame, gpu) = self.frame(at_s);
-        let drawn = match (settings.draw(&frame), gpu) {
+        let drawn = match (settings.draw(&frame, &stop), gpu) {
             (Some(drawn), _) => drawn,
             (None, Some((gpu, renderer))) => {
                 let linear = renderer.linear_picture(gpu, &frame)?;
@@ -112,10 +121,10 @@ impl<'a> Easel<'a> {
         if let Way::Flight(playback) = &mut self.way {
             playback.seek(&self.derived, at_s - STEP_S);
         }
-        let start = Instant::now();
+        let (start, stop) = (Instant::now(), Arc::clone(&self.stop));
         let settings = &self.method.settings;
         let (frame, gpu) = self.frame(at_s);
-        if settings.picture(&frame, &Watch::default()).is_some() {
+        if settings.picture(&frame, &stop).is_some() {
             let frame_ms = ms(start);
             return Ok(Times { frame_ms, cpu_ms: frame_ms, gpu_ms: None });
         }

@@ -10,7 +10,7 @@ use crate::chart::subject::{Eye, Subject};
 use crate::chart::{choice, easel::Easel, html};
 use crate::opening::Beside;
 use crate::renderer::RenderError;
-use crate::worker::{self, Latest};
+use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::method;
@@ -41,6 +41,8 @@ pub(crate) struct Charting {
     pub(crate) tolerance: f64,
     /// The flicker instead of the error, if there is one.
     pub(crate) shows_flicker: bool,
+    /// Begins with the first wish.
+    worker: Option<Latest<Wish, ()>>,
     work: Option<Work>,
     measured: Option<Measured>,
     trouble: Option<String>,
@@ -79,16 +81,17 @@ struct Measured {
 }
 
 struct Work {
-    /// Ends with the work in hand when dropped.
-    _worker: Latest<Wish, ()>,
     news: Receiver<Result<Report, String>>,
     watch: Arc<Watch>,
+    /// Cuts a picture of the truth short.
+    stop: Arc<Watch>,
     of: Of,
 }
 
 impl Drop for Work {
     fn drop(&mut self) {
         self.watch.cancel();
+        self.stop.cancel();
     }
 }
 
@@ -98,7 +101,10 @@ struct Wish {
     beside: Beside,
     of: Of,
     size: [u32; 2],
+    /// Whether the window has a device that draws.
+    has_device: bool,
     watch: Arc<Watch>,
+    stop: Arc<Watch>,
     tell: Sender<Result<Report, String>>,
     context: egui::Context,
 }
@@ -110,6 +116,7 @@ impl Default for Charting {
             width_px: WIDTHS_PX[0],
             tolerance: html::DEFAULT_TOLERANCE,
             shows_flicker: false,
+            worker: None,
             work: None,
             measured: None,
             trouble: None,
@@ -136,6 +143,11 @@ impl Charting {
     /// Why the last try came to nothing.
     pub(crate) fn trouble(&self) -> Option<&str> {
         self.trouble.as_deref()
+    }
+
+    /// Another scene is open.
+    pub(super) fn forget(&mut self) {
+        (self.work, self.measured, self.trouble) = (None, None, None);
     }
 
     fn take_up_news(&mut self) {
@@ -183,9 +195,12 @@ impl Editor {
     /// What would be measured now: the path, if there is one that leads anywhere, or the view.
     fn looked_at(&self, along_path: bool) -> Of {
         let Self { session, view, clock, .. } = self;
-        let eye = match clock.path_to_fly(session.scene()).filter(|_| along_path) {
+        // Where nothing forms, the clock shows nowhere.
+        let forms = session.scene().clouds.iter().any(|cloud| cloud.formation.is_some());
+        let clock_s = if forms { clock.time_s() } else { 0.0 };
+        let eye = match along_path.then(|| clock.path_to_fly(session.scene())).flatten() {
             Some(path) => OwnedEye::Path(Box::new(path.clone())),
-            None => OwnedEye::View { camera: Box::new(self.camera().clone()), clock_s: clock.time_s() },
+            None => OwnedEye::View { camera: Box::new(self.camera().clone()), clock_s },
         };
         let hour = self.time_play.hour().unwrap_or(session.scene().time_of_day_h);
         Of { revision: session.revision(), eye, hour, hidden: view.hidden_in(session.scene()) }
@@ -199,32 +214,43 @@ impl Editor {
         }
         let width_px = self.charting.width_px;
         let size = [width_px, (width_px as f32 / self.viewport.aspect()).round().max(1.0) as u32];
-        self.charting.trouble = None;
-        match begin(&self.session, of, size, context) {
-            Ok(work) => self.charting.work = Some(work),
-            Err(error) => self.charting.trouble = Some(format!("the system gives no thread: {error}")),
-        }
+        let has_device = self.viewport.has_device();
+        self.charting.trouble = begin(&mut self.charting, &self.session, of, size, has_device, context)
+            .err()
+            .map(|error| format!("the system gives no thread: {error}"));
     }
 }
 
-fn begin(session: &Session, of: Of, size: [u32; 2], context: &egui::Context) -> std::io::Result<Work> {
-    let (wake, pool) = (context.clone(), worker::pool_beside_the_window("charting"));
-    let work = move |wish: Wish| {
-        let work = || {
-            if let Err(Ended::Trouble(trouble)) = measure(&wish) {
-                // Nobody may listen any more.
-                let _ = wish.tell.send(Err(trouble));
-            }
-        };
-        pool.as_ref().map_or_else(work, |pool| pool.install(work));
+fn begin(
+    charting: &mut Charting,
+    session: &Session,
+    of: Of,
+    size: [u32; 2],
+    has_device: bool,
+    context: &egui::Context,
+) -> std::io::Result<()> {
+    let worker = match charting.worker.take() {
+        Some(worker) => worker,
+        None => {
+            let wake = context.clone();
+            let work = |wish: Wish| {
+                if let Err(Ended::Trouble(trouble)) = measure(&wish) {
+                    // Nobody may listen any more.
+                    let _ = wish.tell.send(Err(trouble));
+                }
+            };
+            Latest::start_beside_the_window("charting", work, move || wake.request_repaint())?
+        }
     };
-    let worker = Latest::start("charting", work, move || wake.request_repaint())?;
     let (tell, news) = channel();
-    let watch = Arc::new(Watch::default());
+    let (watch, stop) = (Arc::new(Watch::default()), Arc::new(Watch::default()));
     let (scene, derived, beside) = session.to_draw();
-    let (of_wish, watch_wish, context) = (of.clone(), Arc::clone(&watch), context.clone());
-    worker.ask(Wish { scene, derived, beside, of: of_wish, size, watch: watch_wish, tell, context });
-    Ok(Work { _worker: worker, news, watch, of })
+    let work = Work { news, watch: Arc::clone(&watch), stop: Arc::clone(&stop), of: of.clone() };
+    let context = context.clone();
+    worker.ask(Wish { scene, derived, beside, of, size, has_device, watch, stop, tell, context });
+    charting.worker = Some(worker);
+    charting.work = Some(work);
+    Ok(())
 }
 
 /// Why there is no more to come.
@@ -240,16 +266,19 @@ impl From<RenderError> for Ended {
 }
 
 fn measure(wish: &Wish) -> Result<(), Ended> {
-    let Wish { scene, derived, beside, of, size, watch, tell, context } = wish;
+    let Wish { scene, derived, beside, of, size, has_device, watch, stop, tell, context } = wish;
     let (eye, clock_s) = match &of.eye {
         OwnedEye::View { camera, clock_s } => (Eye::Camera(camera), *clock_s),
         OwnedEye::Path(path) => (Eye::Path(path), 0.0),
     };
     let (atlas, meshes, hidden) = (beside.sheet(), beside.meshes(), &of.hidden);
     let subject = Subject { scene, derived, atlas, meshes, eye, size: *size, time_h: of.hour, clock_s, hidden };
-    let (easels, left_out) = choice::easels(&subject, &[]);
+    // Whoever has the CPU draw in the window wants no device opened.
+    let asked = if *has_device { Vec::new() } else { choice::on_the_cpu() };
+    let (easels, left_out) = choice::easels(&subject, &asked);
+    let easels = easels.into_iter().map(|easel| easel.until(stop)).collect();
     let head = Report { size: *size, view: Some(eye.view()), left_out, ..Report::default() };
-    let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?;
+    let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?.until(stop);
     let hear = |share| watch.reach(share);
     let mut run = Run::new(&subject, truth, easels, ROUNDS, head, &hear);
     let mut keep = |report: &Report| {

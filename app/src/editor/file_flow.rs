@@ -87,6 +87,7 @@ impl Editor {
         self.time_play.drop_hour();
         self.clock.begin_anew();
         self.recording = None;
+        self.charting.forget();
         let ViewState { tool, snap, sorting, .. } = self.view;
         self.view = ViewState { tool, snap, sorting, ..ViewState::default() };
     }

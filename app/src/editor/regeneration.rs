@@ -4,7 +4,7 @@
 //! shows something now and then. The thread starts with the first work and has a pool of its own, which leaves a core
 //! and the common pool to the window and its pictures.
 
-use crate::worker::{self, Latest};
+use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
 use cloudwright_core::scene::Scene;
@@ -93,13 +93,10 @@ impl Regeneration {
     fn begin(&mut self, wish: Wish, context: &egui::Context) {
         if self.worker.is_none() {
             let wake = context.clone();
-            let pool = worker::pool_beside_the_window("clouds");
-            let work = move |(wish, watch): (Wish, Arc<Watch>)| {
-                let compute = || wish.before.plan(&wish.scene, &wish.change).carry_out(&watch);
-                pool.as_ref().map_or_else(compute, |pool| pool.install(compute))
-            };
+            let work =
+                |(wish, watch): (Wish, Arc<Watch>)| wish.before.plan(&wish.scene, &wish.change).carry_out(&watch);
             // Without a thread the clouds stay as they are, and the bar shows that they wait.
-            self.worker = Latest::start("clouds", work, move || wake.request_repaint()).ok();
+            self.worker = Latest::start_beside_the_window("clouds", work, move || wake.request_repaint()).ok();
         }
         if let Some(worker) = &self.worker {
             let watch = Arc::new(Watch::default());

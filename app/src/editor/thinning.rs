@@ -4,7 +4,7 @@ use super::Editor;
 use crate::command::Command;
 use crate::opening::Beside;
 use crate::panel::{self, ThinAnswer};
-use crate::worker::{self, Latest};
+use crate::worker::Latest;
 use cloudwright_core::scene::Scene;
 use cloudwright_core::thin::{ThinError, Thinned, thin};
 use cloudwright_core::version::Version;
@@ -75,12 +75,9 @@ impl Editor {
     }
 
     fn begin_thinning(&mut self, asked: &mut Thinning, context: &egui::Context) {
-        let (wake, pool) = (context.clone(), worker::pool_beside_the_window("thinning"));
-        let work = move |Wish { scene, beside, tolerance, watch }: Wish| {
-            let work = || thin(&scene, beside.sheet(), tolerance, &watch);
-            pool.as_ref().map_or_else(work, |pool| pool.install(work))
-        };
-        match Latest::start("thinning", work, move || wake.request_repaint()) {
+        let wake = context.clone();
+        let work = |Wish { scene, beside, tolerance, watch }: Wish| thin(&scene, beside.sheet(), tolerance, &watch);
+        match Latest::start_beside_the_window("thinning", work, move || wake.request_repaint()) {
             Ok(worker) => {
                 let (scene, _, beside) = self.session.to_draw();
                 let watch = Arc::new(Watch::default());

@@ -2,19 +2,27 @@
 
 use super::memory::Memory;
 use super::picture::{Clouds, Shot};
+use crate::opening::Beside;
 use crate::panel::Reading;
+use cloudwright_core::derived::Derived;
 use cloudwright_core::method::Settings;
 use cloudwright_core::scene::{Camera, CameraPath};
-use cloudwright_core::version::Version;
-use std::borrow::Cow;
 use std::sync::Arc;
 
 /// One method's.
 #[derive(Default)]
 pub(super) struct Brush {
     memory: Memory,
-    /// The clouds of that revision with that share of their sprites.
-    thinned: Option<(Version, f32, Clouds)>,
+    thinned: Option<Thinned>,
+}
+
+/// Clouds with a share of their sprites.
+struct Thinned {
+    of: Arc<Derived>,
+    /// Its sheet tells how much sprites cover.
+    beside: Beside,
+    kept: f32,
+    clouds: Clouds,
 }
 
 /// Where the view is in one frame.
@@ -57,20 +65,23 @@ impl Brush {
         }
     }
 
-    /// None for all sprites. Dropping them takes a millisecond or so for ten thousand, and is done when the scene changes.
+    /// None for all sprites. Dropping them takes a millisecond or so for ten thousand, and is done when they change.
     fn clouds(&mut self, settings: &Settings, reading: &Reading<'_>) -> Option<Clouds> {
         if settings.kept >= 1.0 {
             self.thinned = None;
             return None;
         }
-        let key = (reading.session.revision(), settings.kept);
-        if self.thinned.as_ref().is_none_or(|(revision, kept, _)| (*revision, *kept) != key) {
-            let (_, derived, beside) = reading.session.to_draw();
-            self.thinned = match settings.clouds(&derived, beside.sheet()) {
-                Cow::Owned(thinned) => Some((key.0, key.1, Clouds(Arc::new(thinned)))),
-                Cow::Borrowed(_) => None,
-            };
+        let kept = settings.kept;
+        let (_, of, beside) = reading.session.to_draw();
+        let is_of = |thinned: &&Thinned| {
+            let same_sheet = std::ptr::eq(thinned.beside.sheet(), beside.sheet());
+            Arc::ptr_eq(&thinned.of, &of) && same_sheet && thinned.kept == kept
+        };
+        if let Some(thinned) = self.thinned.as_ref().filter(is_of) {
+            return Some(thinned.clouds.clone());
         }
-        self.thinned.as_ref().map(|(.., clouds)| clouds.clone())
+        let clouds = Clouds(Arc::new(settings.clouds(&of, beside.sheet()).into_owned()));
+        self.thinned = Some(Thinned { of, beside, kept, clouds: clouds.clone() });
+        Some(clouds)
     }
 }

@@ -10,7 +10,7 @@ use crate::editor::Lens;
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
 use cloudwright_core::facing::FacingMemory;
-use cloudwright_core::method::{self, Settings};
+use cloudwright_core::method::{self, Renderer, Settings};
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, Painter, Rect, Ui, pos2};
 use std::time::Duration;
@@ -44,6 +44,11 @@ impl Canvas {
     /// Which renderer draws.
     pub(super) fn renderer_name(&self) -> String {
         self.picture.renderer_name()
+    }
+
+    /// Whether the window has a device that draws.
+    pub(super) fn has_device(&self) -> bool {
+        self.picture.own_settings().renderer == Renderer::Gpu
     }
 
     /// Whether that draws aircraft too.

@@ -56,6 +56,9 @@ use ride::{Ride, Seat};
 use screen::Screen;
 use std::time::Duration;
 
+/// Of what is measured in the viewport's shape, the longer side by the shorter one.
+const LONGEST: f32 = 4.0;
+
 /// How the scene is looked at.
 pub(crate) struct Viewport {
     navigation: Navigation,
@@ -158,7 +161,7 @@ impl Viewport {
         }
     }
 
-    /// Width by height of the picture.
+    /// Width by height of the picture; of a strip, that of a wider one.
     pub(crate) fn aspect(&self) -> f32 {
         self.aspect
     }
@@ -176,6 +179,11 @@ impl Viewport {
     /// Which renderer draws.
     pub(crate) fn renderer_name(&self) -> String {
         self.canvas.renderer_name()
+    }
+
+    /// Whether the window has a device that draws, whatever is chosen.
+    pub(crate) fn has_device(&self) -> bool {
+        self.canvas.has_device()
     }
 
     /// Whether that draws aircraft too.
@@ -278,7 +286,7 @@ impl Viewport {
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
         let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round().max(Vec2::ONE);
-        self.aspect = pixels.x / pixels.y;
+        self.aspect = (pixels.x / pixels.y).clamp(1.0 / LONGEST, LONGEST);
         let path = self.ride.as_ref().filter(|_| seat.is_some()).and_then(|ride| session.scene().path(ride.path));
         let place = Place { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
         self.canvas.show(ui, painter, response.rect, &place, quick, reading)

@@ -27,6 +27,9 @@ use std::time::Duration;
 /// While a hand moves something, pictures should take no longer.
 const QUICK: Duration = Duration::from_millis(40);
 
+/// Of a picture's pixels during a gesture, the longest side in the viewport's pixels.
+const COARSEST: u32 = 4;
+
 /// Larger pictures than any window need not be asked for.
 const MAX_SIDE: u32 = 8192;
 
@@ -149,7 +152,12 @@ impl PictureSource {
         }
         let by_gpu = shot.settings.renderer == Renderer::Gpu;
         let last = self.cpu.as_ref().and_then(ByCpu::last);
-        self.coarseness = if quick && !by_gpu { coarseness(self.coarseness, last) } else { 1 };
+        self.coarseness = match shot.settings.renderer {
+            _ if !quick || by_gpu => 1,
+            // It is never quick.
+            Renderer::Truth => COARSEST,
+            _ => coarseness(self.coarseness, last),
+        };
         shot.size = shot.size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
         let key = Key { revision: session.revision(), shot };
         if self.asked.as_ref() == Some(&key) {
@@ -184,7 +192,6 @@ impl PictureSource {
 /// How coarse the next picture of a gesture is to be, from `last`, the time of one and how coarse that was. It gets no
 /// finer than the gesture's pictures so far, lest it flicker between the two.
 fn coarseness(so_far: u32, last: Option<(Duration, u32)>) -> u32 {
-    const COARSEST: u32 = 4;
     let Some((time, drawn_at)) = last else { return so_far };
     let is_quick = |side: u32| time.mul_f32((drawn_at as f32 / side as f32).powi(2)) <= QUICK;
     [1, 2].into_iter().find(|&side| side >= so_far && is_quick(side)).unwrap_or(COARSEST)

@@ -40,11 +40,11 @@ impl Settings {
         if self.renderer == Renderer::Truth { 1 } else { self.samples_side.max(1) }
     }
 
-    /// Draws a [`Settings::frame`]; none on a GPU.
-    pub fn draw(&self, frame: &Frame<'_>) -> Option<Drawn> {
+    /// Draws a [`Settings::frame`]; none on a GPU. The truth looks at `watch` as in [`Settings::picture`].
+    pub fn draw(&self, frame: &Frame<'_>, watch: &Watch) -> Option<Drawn> {
         let (linear, clouds) = match self.renderer {
             Renderer::Truth => {
-                let (linear, clouds) = truth::picture_and_clouds(frame, self.samples_side, &Watch::default());
+                let (linear, clouds) = truth::picture_and_clouds(frame, self.samples_side, watch);
                 (linear, Some(clouds))
             }
             Renderer::Fast { stop_below } => {

@@ -8,6 +8,7 @@ use cloudwright_core::method::{Drawn, Settings};
 use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::watch::Watch;
 use std::borrow::Cow;
 
 /// What is looked at.
@@ -68,7 +69,9 @@ impl Stage {
             if *drawn {
                 let (time_h, clock_s, size) = (self.scene.time_of_day_h, *clock_s, self.size);
                 let sight = Sight { camera, time_h, clock_s, size, hidden, meshes, history: &history };
-                pictures.push(settings.draw(&settings.frame(&self.scene, &derived, &self.atlas, &sight))?);
+                pictures.push(
+                    settings.draw(&settings.frame(&self.scene, &derived, &self.atlas, &sight), &Watch::default())?,
+                );
             }
         }
         Some(pictures)

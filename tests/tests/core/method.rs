@@ -29,7 +29,7 @@ fn with_frame<T>(method: &Method, scene: &Scene, camera: &Camera, f: impl FnOnce
 
 fn drawn(method: &Method) -> Option<Drawn> {
     let scene = heap(40);
-    with_frame(method, &scene, &scene.cameras[0], |frame| method.settings.draw(frame))
+    with_frame(method, &scene, &scene.cameras[0], |frame| method.settings.draw(frame, &Watch::default()))
 }
 
 #[test]

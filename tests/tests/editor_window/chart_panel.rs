@@ -1,6 +1,7 @@
 //! Measuring by the Chart panel, drawing by a method, and the lenses: view state, all of it off the frame.
 
 use crate::Window;
+use crate::flight_panel::with_path;
 use crate::off_frame::is_idle;
 use crate::tools::opened;
 use cloudwright::command::Command;
@@ -102,6 +103,59 @@ fn measuring_can_be_stopped() {
     assert!(window.has(Role::Button, "Measure") && !window.has(Role::Button, "Stop"));
     window.wait("rest", is_idle);
     assert!(!window.shows("Point of"), "what comes too late is not shown");
+}
+
+#[test]
+fn what_was_stopped_in_the_middle_is_called_so() {
+    let mut window = with_panel();
+    window.press("Measure");
+    window.wait("a first row", |window| window.has(Role::Button, "truth"));
+    window.press("Stop");
+    assert!(window.shows("Measuring was stopped") && window.shows("cheapest: not known yet"));
+    // Another scene has nothing of this one's.
+    window.press("Measure");
+    window.command(Command::New);
+    assert!(window.has(Role::Button, "Measure") && !window.shows("Measuring was stopped"));
+    assert!(!window.has(Role::Button, "truth"));
+}
+
+#[test]
+fn along_a_path_flicker_is_measured_too() {
+    let mut window = with_path();
+    window.command(Command::ChartPanel);
+    window.node(Role::ComboBox, "What is measured").click();
+    window.settle();
+    window.press("along “path”");
+    window.press("Measure");
+    window.wait("times", |window| window.has(Role::Button, "Measure"));
+    window.settle();
+    assert!(window.shows("flicker") && window.shows("Point of no-lock"), "a flight shows more methods than a still");
+    window.node(Role::ComboBox, "What the chart shows").click();
+    window.settle();
+    window.press("flicker against cost");
+    assert!(window.shows("Point of no-lock"));
+    // The clock is nothing to a path, and its end is nothing to a chart of the view.
+    window.command(Command::SecondOn);
+    assert!(!window.shows("has changed since"));
+    window.command(Command::Undo);
+    assert!(window.shows("has changed since"), "the path lacks a key");
+}
+
+#[test]
+fn the_truth_is_seen_in_a_drag_that_comes_before_it_is_whole() {
+    let mut window = measured();
+    window.wait("rest", is_idle);
+    window.row("truth");
+    let middle = window.viewport().center();
+    window.button(middle, PointerButton::Middle, true, Modifiers::NONE);
+    // Each frame asks for another picture.
+    let came = (0..3000_u16).any(|frame| {
+        window.pointer(middle + vec2(f32::from(frame % 60) + 10.0, 0.0), None);
+        std::thread::sleep(std::time::Duration::from_millis(3));
+        !window.harness.output().textures_delta.set.is_empty()
+    });
+    assert!(came, "no picture while the button was down");
+    window.button(middle, PointerButton::Middle, false, Modifiers::NONE);
 }
 
 #[test]

@@ -41,7 +41,7 @@ impl Window {
 }
 
 /// A window with the Flight panel, and a path of three keys that was made by its buttons.
-fn with_path() -> Window {
+pub(crate) fn with_path() -> Window {
     let mut window = opened();
     window.command(Command::FlightPanel);
     window.press("New path");

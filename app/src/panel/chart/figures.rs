@@ -5,7 +5,7 @@ use crate::chart::text::figure;
 use crate::editor::{Action, ViewChange};
 use crate::panel::Reading;
 use crate::theme;
-use cloudwright_core::method::{self, Family};
+use cloudwright_core::method::{self, Family, Renderer};
 use egui::Ui;
 use egui_plot::MarkerShape;
 
@@ -28,9 +28,10 @@ pub(super) fn is_chosen(method: &Method, reading: &Reading<'_>) -> bool {
     reading.view.method.is_some_and(|chosen| chosen.name == method.name)
 }
 
-/// Has the viewport drawn by it; if it is already, by the window's own way.
+/// Has the viewport drawn by it; if it is already, by the window's own way, which is the device's where it has one.
 pub(super) fn choose_method(method: &Method, reading: &Reading<'_>) -> Action {
-    let method = method::named(&method.name).filter(|_| !is_chosen(method, reading));
+    let is_new = |known: &&method::Method| known.settings.renderer != Renderer::Gpu && !is_chosen(method, reading);
+    let method = method::named(&method.name).filter(is_new);
     Action::View(ViewChange::Method(method))
 }
 

@@ -39,13 +39,16 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
                     let what = "The scene or the view has changed since this was measured.";
                     ui.colored_label(theme::warning(ui), what);
                 }
+                if report.unfinished && charting.progress().is_none() {
+                    ui.colored_label(theme::warning(ui), "Measuring was stopped: times are of a first try, or lack.");
+                }
                 plot::show(ui, report, reading, actions);
                 tolerance(ui, reading, actions);
             }
             None if charting.progress().is_none() => {
                 ui.weak(
-                    "Measures what each method takes for a picture of this view, and how much that looks different \
-                     from the truth: each ray's own fragments in their own order.",
+                    "Measures what each method takes for a picture, and how much that looks different from the truth: \
+                     each ray's own fragments in their own order.",
                 );
             }
             None => {}
@@ -105,8 +108,8 @@ fn measure(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         }
         None => {
             let button = ui.button("Measure").on_hover_text(
-                "In the background, on all cores but the window's: times are longer than those of `cloudwright chart`, \
-                 but in the same proportions.",
+                "In the background, on all cores but the window's: compare its times with one another, not with those of \
+                 `cloudwright chart`.",
             );
             if button.clicked() {
                 change(ChartChange::Measure);
@@ -127,6 +130,7 @@ fn tolerance(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         }
         let cheapest = front::cheapest_within(&report.methods, charting.tolerance);
         ui.label(match cheapest {
+            _ if report.unfinished => "cheapest: not known yet".into(),
             Some(method) => format!("cheapest: {}, {} ms", method.name, figure(method.cost.frame_ms)),
             None => "no method is".into(),
         });

@@ -10,7 +10,7 @@ mod wipe;
 
 use super::picture::Shot;
 use crate::editor::{Lens, Session};
-use crate::worker::{self, Latest};
+use crate::worker::Latest;
 use cloudwright_core::image::Picture;
 use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;
@@ -66,7 +66,7 @@ impl LensSource {
     /// Nothing is wanted any more.
     pub(super) fn put_away(&mut self) {
         self.drop_wish();
-        (self.worker, self.shown) = (None, None);
+        self.shown = None;
     }
 
     /// While a hand moves the view, nothing is drawn.
@@ -109,14 +109,14 @@ impl LensSource {
         let (shot, truth, watch) = (shot.clone(), truth.clone(), Arc::clone(watch));
         let (lens, number, coarseness) = (*lens, *number, *coarseness);
         if self.worker.is_none() {
-            let (wake, pool) = (self.context.clone(), worker::pool_beside_the_window("lens"));
-            let work = move |wish: Wish| {
-                pool.as_ref().map_or_else(|| slide::draw(&wish), |p| p.install(|| slide::draw(&wish)))
-            };
-            self.worker = Latest::start("lens", work, move || wake.request_repaint()).ok();
+            let wake = self.context.clone();
+            let work = |wish: Wish| slide::draw(&wish);
+            self.worker = Latest::start_beside_the_window("lens", work, move || wake.request_repaint()).ok();
         }
-        if let Some(worker) = &self.worker {
-            worker.ask(Wish { lens, scene, derived, beside, shot, truth, number, coarseness, watch });
+        match &self.worker {
+            Some(worker) => worker.ask(Wish { lens, scene, derived, beside, shot, truth, number, coarseness, watch }),
+            // Nothing will come.
+            None => self.drop_wish(),
         }
     }
 

@@ -3,11 +3,11 @@
 use super::Shot;
 use crate::editor::Session;
 use crate::opening::Beside;
-use crate::worker::Latest;
+use crate::worker::{self, Latest};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::overdraw;
-use cloudwright_core::method::Renderer;
+use cloudwright_core::method::{Renderer, Settings};
 use cloudwright_core::scene::Scene;
 use cloudwright_core::watch::Watch;
 use egui::{Color32, ColorImage, TextureHandle, TextureId, TextureOptions};
@@ -48,7 +48,15 @@ pub(super) struct ByCpu {
 impl ByCpu {
     pub(super) fn new(context: &egui::Context) -> Self {
         let wake = context.clone();
-        let worker = Latest::start("pictures", |request| draw(&request), move || wake.request_repaint()).ok();
+        let pool = worker::pool_beside_the_window("pictures");
+        let work = move |request: Request| match &pool {
+            // What takes long leaves the window its core.
+            Some(pool) if request.shot.settings.renderer != Settings::SHIPPED.renderer => {
+                pool.install(|| draw(&request))
+            }
+            _ => draw(&request),
+        };
+        let worker = Latest::start("pictures", work, move || wake.request_repaint()).ok();
         let context = context.clone();
         Self { context, worker, watch: Arc::default(), asked_coarseness: 1, texture: None, last: None, overdraw: None }
     }
@@ -102,6 +110,9 @@ fn draw(request: &Request) -> Answer {
     let is_whole = || shot.settings.renderer != Renderer::Truth || !watch.is_cancelled();
     let picture = shot.settings.picture(&frame, watch).filter(|_| is_whole());
     let time = begun.elapsed();
+    if picture.is_none() {
+        return Answer { picture, time, coarseness: *coarseness, overdraw: None };
+    }
     // Counted at rest only: it is nothing that a gesture should wait for.
     let overdraw = (*coarseness == 1).then(|| overdraw(&frame).mean_per_pixel as f32);
     Answer { picture, time, coarseness: *coarseness, overdraw }
