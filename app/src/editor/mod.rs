@@ -60,6 +60,7 @@ use place_many::PlaceMany;
 use recording::Recording;
 use std::cell::RefCell;
 use std::path::PathBuf;
+use std::time::Duration;
 use thinning::Thinning;
 use toasts::Toasts;
 
@@ -163,6 +164,11 @@ impl Editor {
     /// Where it is looked at from.
     pub fn camera(&self) -> &Camera {
         self.viewport.camera()
+    }
+
+    /// What the viewport's last picture took.
+    pub fn picture_time(&self) -> Option<Duration> {
+        self.viewport.picture_time()
     }
 
     /// What is selected.
