@@ -152,12 +152,8 @@ impl PictureSource {
         }
         let by_gpu = shot.settings.renderer == Renderer::Gpu;
         let last = self.cpu.as_ref().and_then(ByCpu::last);
-        self.coarseness = match shot.settings.renderer {
-            _ if !quick || by_gpu => 1,
-            // It is never quick.
-            Renderer::Truth => COARSEST,
-            _ => coarseness(self.coarseness, last),
-        };
+        let renderer = shot.settings.renderer;
+        self.coarseness = if quick && !by_gpu { coarseness(renderer, self.coarseness, last) } else { 1 };
         shot.size = shot.size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
         let key = Key { revision: session.revision(), shot };
         if self.asked.as_ref() == Some(&key) {
@@ -191,7 +187,11 @@ impl PictureSource {
 
 /// How coarse the next picture of a gesture is to be, from `last`, the time of one and how coarse that was. It gets no
 /// finer than the gesture's pictures so far, lest it flicker between the two.
-fn coarseness(so_far: u32, last: Option<(Duration, u32)>) -> u32 {
+fn coarseness(renderer: Renderer, so_far: u32, last: Option<(Duration, u32)>) -> u32 {
+    // It is never quick, and its last picture may have been another renderer's.
+    if renderer == Renderer::Truth {
+        return COARSEST;
+    }
     let Some((time, drawn_at)) = last else { return so_far };
     let is_quick = |side: u32| time.mul_f32((drawn_at as f32 / side as f32).powi(2)) <= QUICK;
     [1, 2].into_iter().find(|&side| side >= so_far && is_quick(side)).unwrap_or(COARSEST)
@@ -203,9 +203,11 @@ mod tests {
 
     #[test]
     fn pictures_of_a_gesture_get_coarser_until_they_are_quick() {
-        let after = |so_far, ms, drawn_at| coarseness(so_far, Some((Duration::from_millis(ms), drawn_at)));
+        let fast = Settings::SHIPPED.renderer;
+        let after = |so_far, ms, drawn_at| coarseness(fast, so_far, Some((Duration::from_millis(ms), drawn_at)));
         assert_eq!([after(1, 30, 1), after(1, 100, 1), after(1, 300, 1), after(1, 9000, 1)], [1, 2, 4, 4]);
         assert_eq!([after(2, 30, 2), after(2, 50, 2), after(4, 5, 4), after(4, 500, 4)], [2, 4, 4, 4]);
-        assert_eq!(coarseness(1, None), 1);
+        assert_eq!(coarseness(fast, 1, None), 1);
+        assert_eq!(coarseness(Renderer::Truth, 1, Some((Duration::from_millis(5), 1))), COARSEST);
     }
 }
