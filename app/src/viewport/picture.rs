@@ -15,12 +15,13 @@ use by_gpu::ByGpu;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::frame::{Frame, Sight};
+use cloudwright_core::image::Picture;
 use cloudwright_core::method::{Renderer, Settings};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::version::Version;
 use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
-use egui::TextureId;
+use egui::{Color32, ColorImage, TextureId};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -183,6 +184,12 @@ impl PictureSource {
         // The device's last one stands in until the CPU has one.
         by_cpu.or_else(|| self.gpu.as_ref().and_then(|gpu| gpu.texture()))
     }
+}
+
+/// For egui.
+pub(super) fn image(picture: &Picture) -> ColorImage {
+    let size = [picture.width as usize, picture.height as usize];
+    ColorImage::new(size, picture.pixels.iter().map(|&[r, g, b, _]| Color32::from_rgb(r, g, b)).collect())
 }
 
 /// How coarse the next picture of a gesture is to be, from `last`, the time of one and how coarse that was. It gets no

@@ -8,13 +8,12 @@ mod legend;
 mod slide;
 mod wipe;
 
-use super::picture::Shot;
+use super::picture::{Shot, image};
 use crate::editor::{Lens, Session};
 use crate::worker::Latest;
-use cloudwright_core::image::Picture;
 use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;
-use egui::{Color32, ColorImage, Context, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
+use egui::{Color32, Context, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
 use slide::{Scale, Slide, Wish};
 use std::sync::Arc;
 use std::time::Duration;
@@ -164,9 +163,4 @@ impl Drop for LensSource {
 fn paint(painter: &Painter, shown: &Shown, rect: Rect, part: Rect) {
     let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
     painter.with_clip_rect(part.intersect(painter.clip_rect())).image(shown.texture.id(), rect, whole, Color32::WHITE);
-}
-
-fn image(picture: &Picture) -> ColorImage {
-    let size = [picture.width as usize, picture.height as usize];
-    ColorImage::new(size, picture.pixels.iter().map(|&[r, g, b, _]| Color32::from_rgb(r, g, b)).collect())
 }

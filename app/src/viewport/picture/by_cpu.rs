@@ -1,6 +1,6 @@
 //! Pictures from a worker thread, at the resolution asked for; the latest request wins.
 
-use super::Shot;
+use super::{Shot, image};
 use crate::editor::Session;
 use crate::opening::Beside;
 use crate::worker::{self, Latest};
@@ -10,7 +10,7 @@ use cloudwright_core::measure::overdraw;
 use cloudwright_core::method::{Renderer, Settings};
 use cloudwright_core::scene::Scene;
 use cloudwright_core::watch::Watch;
-use egui::{Color32, ColorImage, TextureHandle, TextureId, TextureOptions};
+use egui::{TextureHandle, TextureId, TextureOptions};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
 
@@ -93,9 +93,7 @@ impl ByCpu {
     }
 
     fn show(&mut self, picture: &Picture) {
-        let size = [picture.width as usize, picture.height as usize];
-        let pixels = picture.pixels.iter().map(|&[r, g, b, _]| Color32::from_rgb(r, g, b)).collect();
-        let image = ColorImage::new(size, pixels);
+        let image = image(picture);
         match &mut self.texture {
             Some(texture) => texture.set(image, TextureOptions::LINEAR),
             None => self.texture = Some(self.context.load_texture("picture", image, TextureOptions::LINEAR)),
