@@ -60,7 +60,7 @@ pub(crate) enum ChartChange {
 }
 
 /// Of one scene, as it was looked at.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 struct Of {
     revision: Version,
     eye: OwnedEye,
@@ -68,7 +68,7 @@ struct Of {
     hidden: Hidden,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 enum OwnedEye {
     View { camera: Box<Camera>, clock_s: f64 },
     Path(Box<CameraPath>),
@@ -82,15 +82,14 @@ struct Measured {
 
 struct Work {
     news: Receiver<Result<Report, String>>,
-    watch: Arc<Watch>,
-    /// Cuts a picture of the truth short.
+    progress: Arc<Watch>,
+    /// Apart from the progress, since a picture of the truth, which it cuts short, tells its own.
     stop: Arc<Watch>,
     of: Of,
 }
 
 impl Drop for Work {
     fn drop(&mut self) {
-        self.watch.cancel();
         self.stop.cancel();
     }
 }
@@ -103,7 +102,7 @@ struct Wish {
     size: [u32; 2],
     /// Whether the window has a device that draws.
     has_device: bool,
-    watch: Arc<Watch>,
+    progress: Arc<Watch>,
     stop: Arc<Watch>,
     tell: Sender<Result<Report, String>>,
     context: egui::Context,
@@ -127,7 +126,7 @@ impl Default for Charting {
 impl Charting {
     /// How far the work is, 0 to 1, if it goes on.
     pub(crate) fn progress(&self) -> Option<f32> {
-        self.work.as_ref().map(|work| work.watch.share())
+        self.work.as_ref().map(|work| work.progress.share())
     }
 
     /// What is known.
@@ -174,8 +173,7 @@ impl Editor {
             context.request_repaint_after(LOOK);
         }
         if let Some(mut measured) = self.charting.measured.take() {
-            let along_path = matches!(measured.of.eye, OwnedEye::Path(_));
-            measured.is_stale = self.looked_at(along_path) != measured.of;
+            measured.is_stale = !self.still_looks_at(&measured.of);
             self.charting.measured = Some(measured);
         }
     }
@@ -195,15 +193,32 @@ impl Editor {
     /// What would be measured now: the path, if there is one that leads anywhere, or the view.
     fn looked_at(&self, along_path: bool) -> Of {
         let Self { session, view, clock, .. } = self;
-        // Where nothing forms, the clock shows nowhere.
-        let forms = session.scene().clouds.iter().any(|cloud| cloud.formation.is_some());
-        let clock_s = if forms { clock.time_s() } else { 0.0 };
         let eye = match along_path.then(|| clock.path_to_fly(session.scene())).flatten() {
             Some(path) => OwnedEye::Path(Box::new(path.clone())),
-            None => OwnedEye::View { camera: Box::new(self.camera().clone()), clock_s },
+            None => OwnedEye::View { camera: Box::new(self.camera().clone()), clock_s: self.forming_s() },
         };
-        let hour = self.time_play.hour().unwrap_or(session.scene().time_of_day_h);
-        Of { revision: session.revision(), eye, hour, hidden: view.hidden_in(session.scene()) }
+        Of { revision: session.revision(), eye, hour: self.hour(), hidden: view.hidden_in(session.scene()) }
+    }
+
+    /// Whether that would be measured now as it was then. A path of the same revision is the same.
+    fn still_looks_at(&self, of: &Of) -> bool {
+        let Self { session, view, clock, .. } = self;
+        let same_eye = || match &of.eye {
+            OwnedEye::Path(path) => clock.path(session.scene()).is_some_and(|chosen| chosen.id == path.id),
+            OwnedEye::View { camera, clock_s } => **camera == *self.camera() && *clock_s == self.forming_s(),
+        };
+        let same_scene = of.revision == session.revision() && of.hour == self.hour();
+        same_scene && same_eye() && of.hidden == view.hidden_in(session.scene())
+    }
+
+    /// The clock, seconds; 0 where nothing forms, since it shows nowhere there.
+    fn forming_s(&self) -> f64 {
+        let forms = self.session.scene().clouds.iter().any(|cloud| cloud.formation.is_some());
+        if forms { self.clock.time_s() } else { 0.0 }
+    }
+
+    fn hour(&self) -> f64 {
+        self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
     }
 
     fn measure(&mut self, context: &egui::Context) {
@@ -243,11 +258,11 @@ fn begin(
         }
     };
     let (tell, news) = channel();
-    let (watch, stop) = (Arc::new(Watch::default()), Arc::new(Watch::default()));
+    let (progress, stop) = (Arc::new(Watch::default()), Arc::new(Watch::default()));
     let (scene, derived, beside) = session.to_draw();
-    let work = Work { news, watch: Arc::clone(&watch), stop: Arc::clone(&stop), of: of.clone() };
+    let work = Work { news, progress: Arc::clone(&progress), stop: Arc::clone(&stop), of: of.clone() };
     let context = context.clone();
-    worker.ask(Wish { scene, derived, beside, of, size, has_device, watch, stop, tell, context });
+    worker.ask(Wish { scene, derived, beside, of, size, has_device, progress, stop, tell, context });
     charting.worker = Some(worker);
     charting.work = Some(work);
     Ok(())
@@ -266,7 +281,7 @@ impl From<RenderError> for Ended {
 }
 
 fn measure(wish: &Wish) -> Result<(), Ended> {
-    let Wish { scene, derived, beside, of, size, has_device, watch, stop, tell, context } = wish;
+    let Wish { scene, derived, beside, of, size, has_device, progress, stop, tell, context } = wish;
     let (eye, clock_s) = match &of.eye {
         OwnedEye::View { camera, clock_s } => (Eye::Camera(camera), *clock_s),
         OwnedEye::Path(path) => (Eye::Path(path), 0.0),
@@ -279,10 +294,10 @@ fn measure(wish: &Wish) -> Result<(), Ended> {
     let easels = easels.into_iter().map(|easel| easel.until(stop)).collect();
     let head = Report { size: *size, view: Some(eye.view()), left_out, ..Report::default() };
     let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?.until(stop);
-    let hear = |share| watch.reach(share);
+    let hear = |share| progress.reach(share);
     let mut run = Run::new(&subject, truth, easels, ROUNDS, head, &hear);
     let mut keep = |report: &Report| {
-        if watch.is_cancelled() {
+        if stop.is_cancelled() {
             return Err(Ended::Stopped);
         }
         let _ = tell.send(Ok(report.clone()));

@@ -5,7 +5,7 @@
 
 use super::brush::{Brush, Place};
 use super::lens::LensSource;
-use super::picture::PictureSource;
+use super::picture::{PictureSource, Shot};
 use crate::editor::Lens;
 use crate::panel::Reading;
 use crate::renderer::RendererChoice;
@@ -84,7 +84,7 @@ impl Canvas {
         let is_alike = settings.history() == method::truth().settings.history() && settings.kept >= 1.0;
         let shot = if is_alike {
             self.own_brush = None;
-            super::picture::Shot { settings, ..truth.clone() }
+            Shot { settings, ..truth.clone() }
         } else {
             self.own_brush.get_or_insert_default().shot(&settings, place, reading)
         };

@@ -80,7 +80,8 @@ pub(super) const SITUATIONS: &[Situation] = &[
         stage: far_checkers,
         bound: exact(
             Figure::Light,
-            "From the first halving on, all texels are the mean of solid and clear, for one sample a pixel as for sixteen, which are four texels apart.",
+            "From the first halving on, all texels are the mean of solid and clear, for one sample a pixel as for sixteen, \
+             which are four texels apart.",
         ),
         breaks: &["no-mips"],
     },
