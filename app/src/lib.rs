@@ -1,7 +1,7 @@
 //! The program: an editor window and a command line over one library of clouds.
 //!
 //! The only place with a window, files and a clock. [`cli`] is one file a subcommand; [`editor`] is the window's frame
-//! in order, with its panels and viewport; [`storage`] is the only file access, [`opening`] and [`saving`] what both make of a
+//! in order, above its panels and viewport, which share what is in [`state`]; [`storage`] is the only file access, [`opening`] and [`saving`] what both make of a
 //! scene file; [`chart`] turns measured methods into a page to read; `renderer` chooses between GPU and CPU.
 
 pub mod chart;
@@ -13,11 +13,13 @@ mod panel;
 mod picture_png;
 pub mod renderer;
 pub mod saving;
+pub mod state;
 pub mod storage;
 mod theme;
 pub mod thumbnail;
 pub mod units;
 mod viewport;
+mod widget;
 pub mod worker;
 
-pub use panel::{category_gallery, preset_gallery};
+pub use widget::{category_gallery, preset_gallery};

@@ -1,4 +1,4 @@
-//! The units on the screen: metric ones, or those of aviation.
+//! The units of people: metric ones or those of aviation, and the time of day as a clock shows it.
 //!
 //! Scene, code and files are metres and seconds throughout; only here they become feet and knots. Both are exact by
 //! definition: the international foot of 1959, and the nautical mile an hour.
@@ -94,6 +94,15 @@ pub fn heading(degrees: f64) -> String {
     format!("{:03.0}°", if rounded == 0.0 { 360.0 } else { rounded })
 }
 
+/// `HH:MM` as hours.
+pub fn time_of_day(text: &str) -> Result<f64, String> {
+    let digits = |part: &str| part.len() <= 2 && part.bytes().all(|b| b.is_ascii_digit());
+    let read = |part: &str, below: u32| part.parse().ok().filter(|n: &u32| digits(part) && *n < below);
+    text.split_once(':')
+        .and_then(|(hours, minutes)| Some(f64::from(read(hours, 24)?) + f64::from(read(minutes, 60)?) / 60.0))
+        .ok_or_else(|| "write hours and minutes, 00:00 to 23:59, such as 18:30".into())
+}
+
 /// A whole number with its thousands apart.
 fn grouped(whole: f64) -> String {
     let figures = format!("{:.0}", whole.abs());
@@ -127,6 +136,15 @@ mod tests {
             assert!((unit.to_si(unit.from_si(si)) - si).abs() <= tolerance, "{si} as {}", unit.name);
         }
         assert_eq!(aviation.other().other(), aviation);
+    }
+
+    #[test]
+    fn a_time_of_day_is_hours_and_minutes() {
+        assert_eq!(time_of_day("18:30"), Ok(18.5));
+        assert_eq!(time_of_day("6:00"), Ok(6.0));
+        for bad in ["24:00", "12:60", "12", "", ":", "-1:00", "+1:00", "012:00", "1:2:3", "noon"] {
+            assert!(time_of_day(bad).is_err(), "{bad}");
+        }
     }
 
     #[test]

@@ -9,8 +9,9 @@
 
 #![allow(clippy::print_stdout)] // A bench's answer is its table.
 
-use cloudwright::editor::{Editor, Item, NativeDialogs, Selection, Start};
+use cloudwright::editor::{Editor, NativeDialogs, Start};
 use cloudwright::renderer::RendererChoice;
+use cloudwright::state::{Item, Selection};
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Document, Edit, ListEdit};

@@ -4,8 +4,9 @@
 //! A failing one leaves NAME.new.png and NAME.diff.png beside the one that was wanted.
 
 use cloudwright::command::Command;
-use cloudwright::editor::{Ask, Editor, FileDialogs, Item, Reply, Selection, Start};
+use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Start};
 use cloudwright::renderer::RendererChoice;
+use cloudwright::state::{Item, Selection};
 use cloudwright_tests::gpu::{Backend, required};
 use cloudwright_tests::root;
 use egui_kittest::{Harness, SnapshotOptions, try_image_snapshot_options};

@@ -54,15 +54,6 @@ pub(super) enum Subcommand {
     Thin(thin::Arguments),
 }
 
-/// `HH:MM` as hours.
-pub(crate) fn time_of_day(text: &str) -> Result<f64, String> {
-    let digits = |part: &str| part.len() <= 2 && part.bytes().all(|b| b.is_ascii_digit());
-    let read = |part: &str, below: u32| part.parse().ok().filter(|n: &u32| digits(part) && *n < below);
-    text.split_once(':')
-        .and_then(|(hours, minutes)| Some(f64::from(read(hours, 24)?) + f64::from(read(minutes, 60)?) / 60.0))
-        .ok_or_else(|| "write hours and minutes, 00:00 to 23:59, such as 18:30".into())
-}
-
 /// Seconds of a scene's clock.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     let is_sound = |seconds: &f64| (0.0..=1e6).contains(seconds);
@@ -104,11 +95,6 @@ mod tests {
 
     #[test]
     fn values() {
-        assert_eq!(time_of_day("18:30"), Ok(18.5));
-        assert_eq!(time_of_day("6:00"), Ok(6.0));
-        for bad in ["24:00", "12:60", "12", "", ":", "-1:00", "+1:00", "012:00", "1:2:3", "noon"] {
-            assert!(time_of_day(bad).is_err(), "{bad}");
-        }
         assert_eq!(picture_size("1280x720"), Ok([1280, 720]));
         for bad in ["0x1", "1x0", "16385x1", "1280", "x", "-1x5", "1e3x5", "99999999999x1"] {
             assert!(picture_size(bad).is_err(), "{bad}");

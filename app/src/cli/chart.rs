@@ -13,6 +13,7 @@ use crate::chart::report::Report;
 use crate::chart::run::Run;
 use crate::chart::subject::{Eye, Subject};
 use crate::chart::{choice, front, html, report, text};
+use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
@@ -47,7 +48,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = arguments::picture_size)]
     size: [u32; 2],
     /// Time of day; the scene's if not given
-    #[arg(long, value_name = "HH:MM", value_parser = arguments::time_of_day)]
+    #[arg(long, value_name = "HH:MM", value_parser = time_of_day)]
     time: Option<f64>,
     /// How often each method is timed, 1 to 100; the median counts
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]

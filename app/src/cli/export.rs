@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::progress::Progress;
 use super::{arguments, input};
+use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
@@ -26,7 +27,7 @@ pub(super) struct Arguments {
     #[arg(long)]
     shaded: bool,
     /// Time of day of the light; the scene's if not given
-    #[arg(long, value_name = "HH:MM", requires = "shaded", value_parser = arguments::time_of_day)]
+    #[arg(long, value_name = "HH:MM", requires = "shaded", value_parser = time_of_day)]
     time: Option<f64>,
     /// Seconds of the scene's clock: how far clouds have formed
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0, requires = "shaded", value_parser = arguments::seconds)]

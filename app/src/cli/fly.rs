@@ -11,6 +11,7 @@ use super::painter::Painter;
 use super::progress::Progress;
 use super::{arguments, input, render, say};
 use crate::renderer::RendererChoice;
+use crate::units::time_of_day;
 use crate::{opening, picture_png, storage};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{Hidden, Sorting};
@@ -53,7 +54,7 @@ pub(super) struct Arguments {
     #[arg(long, value_enum, default_value_t)]
     renderer: RendererChoice,
     /// Time of day; the scene's if not given
-    #[arg(long, value_name = "HH:MM", value_parser = arguments::time_of_day)]
+    #[arg(long, value_name = "HH:MM", value_parser = time_of_day)]
     time: Option<f64>,
     /// Samples a pixel, a square number up to 64
     #[arg(long = "samples", value_name = "N", default_value = "1", value_parser = arguments::samples_side)]

@@ -18,8 +18,6 @@ mod progress;
 mod render;
 mod thin;
 
-pub(crate) use arguments::time_of_day;
-
 use arguments::{Arguments, Subcommand};
 use clap::Parser;
 use failure::Failure;

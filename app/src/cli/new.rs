@@ -2,7 +2,7 @@
 
 use super::failure::Failure;
 use super::input;
-use crate::editor;
+use crate::state::starter_scene;
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Scene;
 use std::fmt::Write;
@@ -33,8 +33,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 /// The scene that a preset's name stands for.
 fn scene_of(preset: Option<&str>) -> Result<Scene, Failure> {
     match preset {
-        None => Ok(editor::starter_scene()),
-        Some(name) if name == STARTER.0 => Ok(editor::starter_scene()),
+        None => Ok(starter_scene()),
+        Some(name) if name == STARTER.0 => Ok(starter_scene()),
         Some(name) => Preset::by_name(name).map(Preset::scene).ok_or_else(|| {
             let what = format!("--preset {name}: there is no such preset");
             let names: Vec<&str> = presets().map(|(name, _)| name).collect();

@@ -5,6 +5,7 @@ use super::painter::{self, Painter};
 use super::progress::Progress;
 use super::{arguments, input, say};
 use crate::renderer::RendererChoice;
+use crate::units::time_of_day;
 use crate::{opening, picture_png, storage};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
@@ -35,7 +36,7 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME")]
     camera: Option<String>,
     /// Time of day; the scene's if not given
-    #[arg(long, value_name = "HH:MM", value_parser = arguments::time_of_day)]
+    #[arg(long, value_name = "HH:MM", value_parser = time_of_day)]
     time: Option<f64>,
     /// Seconds of the scene's clock: how far clouds have formed, and where aircraft are
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = arguments::seconds)]

@@ -3,10 +3,11 @@
 //! While the document is modified, it is written to the editor's recovery slot a few seconds after the last change,
 //! and every half minute while changes don't stop; never within a gesture. A save, or an end on purpose, clears it.
 
+use super::Editor;
 use super::desk::Done;
 use super::dialogs::Dialog;
-use super::{Editor, Session};
 use crate::opening::problem_lines;
+use crate::state::Session;
 use crate::storage::{self, Folders, Orphan, Rescue, Stamp};
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::Problem;

@@ -3,10 +3,11 @@
 //! What would lose changes is an [`Intent`]: it is carried out at once when nothing is unsaved, else after the user
 //! has saved or said not to. A scene that can't be opened leaves the present document alone.
 
+use super::Editor;
 use super::dialogs::Dialog;
 use super::files::{Ask, Reply, Waiting};
-use super::{Editor, Session, ViewState, starter};
 use crate::opening::{self, OpenError};
+use crate::state::{Session, ViewState, starter_scene};
 use crate::storage::Stamp;
 use cloudwright_core::formats::scene_file;
 use std::path::{Path, PathBuf};
@@ -43,7 +44,7 @@ impl Editor {
     pub(super) fn go(&mut self, intent: Intent, context: &egui::Context) {
         match intent {
             Intent::New => {
-                self.replace(Session::new(starter::scene(), None), None);
+                self.replace(Session::new(starter_scene(), None), None);
                 self.toasts.forget_errors();
             }
             Intent::OpenFile(path) => self.open_path(&path),

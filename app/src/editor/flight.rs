@@ -3,7 +3,8 @@
 //! While the view is on board, the viewport takes its camera and what it has seen from the path at the clock's time. A
 //! hand that moves the view ends that where it is; Esc gives the view from before back. Either stops the clock.
 
-use super::{ClockChange, Editor};
+use super::Editor;
+use crate::state::{ClockChange, Item, Selection};
 use cloudwright_core::scene::{Camera, PathId, PathKey};
 
 impl Editor {
@@ -96,7 +97,7 @@ impl Editor {
         let field_of_view_deg = path.field_of_view_deg;
         let camera = Camera { heading_deg, pitch_deg, roll_deg, field_of_view_deg, ..Camera::free(position) };
         let since_start_s = time_s - first.time_s;
-        self.select(super::Selection::of([super::Item::Path(id)]));
+        self.select(Selection::of([Item::Path(id)]));
         self.view.path_key = Some((id, index));
         self.clock.choose(self.view.selection.primary(), self.session.scene());
         self.clock.pause();

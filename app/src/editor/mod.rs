@@ -4,10 +4,8 @@
 //! their actions, dialogs. Panels only read and return actions; what they change shows in the next frame.
 //! Selection, camera and layout are view state and never saved.
 
-mod action;
 mod autosave;
 mod charting;
-mod clock;
 mod desk;
 mod dialogs;
 mod file_flow;
@@ -18,33 +16,20 @@ mod on_disk;
 mod perform;
 mod place_many;
 mod recording;
-mod regeneration;
 mod remember;
 mod save_flow;
-mod selection;
-mod session;
-mod starter;
 mod thinning;
 mod time_play;
 mod toasts;
-mod view;
 mod window;
 
-pub(crate) use action::{Action, ViewChange};
-pub(crate) use charting::{ChartChange, Charting, WIDTHS_PX};
-pub(crate) use clock::{CLOCK_SPEED, Clock, ClockChange};
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
-pub use selection::{Choose, Item, Selection};
-pub(crate) use selection::{aircraft_of, box_of, camera_of, group_of};
-pub use session::{Pending, Session};
-pub(crate) use starter::scene as starter_scene;
-pub(crate) use time_play::{MAX_STEP_S, TimePlay};
-pub use view::{Lens, Snap, SpriteMarks, Tool, ViewState};
 pub use window::open_window;
 
 use crate::command::{self, Command};
-use crate::panel::{self, Palette, Panel, Reading};
+use crate::panel::{self, Palette, Panel};
 use crate::renderer::RendererChoice;
+use crate::state::{Action, Charting, Clock, Reading, Selection, Session, TimePlay, ViewState, starter_scene};
 use crate::storage::Folders;
 use crate::theme;
 use crate::thumbnail::Thumbnails;
@@ -114,7 +99,7 @@ impl Editor {
         let Start { scene: path, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
         let (desk, notice) = Desk::new(context, folders);
-        let session = Session::new(starter::scene(), None);
+        let session = Session::new(starter_scene(), None);
         let mut editor = Self {
             viewport: Viewport::new(context, &session, renderer, device),
             session,
@@ -271,7 +256,12 @@ impl Editor {
             units: desk.settings().units,
         };
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
-            panel::status(ui, &reading, viewport, desk.saving, &mut actions);
+            let drawn = panel::Drawn {
+                renderer: viewport.renderer_name(),
+                time: viewport.picture_time(),
+                overdraw: viewport.overdraw(),
+            };
+            panel::status(ui, &reading, &drawn, desk.saving, &mut actions);
         });
         egui::CentralPanel::no_frame().show(ui, |ui| {
             layout.show(ui, |panel, ui| match panel {

@@ -2,9 +2,10 @@
 //!
 //! It is watched while the window has the focus. An unmodified document follows; a modified one is asked about.
 
+use super::Editor;
 use super::dialogs::Dialog;
-use super::{Editor, Session};
 use crate::opening::{self, OpenError};
+use crate::state::Session;
 use crate::storage::{Sighting, Stamp};
 use std::path::{Path, PathBuf};
 

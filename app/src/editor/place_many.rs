@@ -1,8 +1,9 @@
 //! Many placements at once: what is chosen is shown as an open gesture, which becomes one undo point or nothing.
 
-use super::{Editor, Item, Selection};
+use super::Editor;
 use crate::command::Command;
 use crate::panel;
+use crate::state::{Item, Selection};
 use cloudwright_core::arrange::place_many::{self, Places};
 use cloudwright_core::scene::ModelId;
 

@@ -3,8 +3,9 @@
 //! Every frame in which the view moves is a sample; while it rests, no time passes. What was flown becomes a new path of
 //! a few keys, as one step ([`keys_from_samples`]).
 
-use super::{Editor, Item, MAX_STEP_S, Selection};
+use super::Editor;
 use crate::command::Command;
+use crate::state::{Item, MAX_STEP_S, Selection};
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::flight::keys_from_samples;

@@ -1,8 +1,7 @@
 //! Aircraft on their paths.
 
-use super::Reading;
-use super::fields::{fields, name_it};
-use crate::editor::Action;
+use crate::state::{Action, Reading};
+use crate::widget::{fields, name_it};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
 use cloudwright_core::scene::Aircraft;

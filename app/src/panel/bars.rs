@@ -1,9 +1,9 @@
 //! Menus and toolbar: nothing but the command table.
 
 use crate::command::{Command, Menu, Row, TABLE};
-use crate::editor::Action;
-use crate::panel::fields::name_it;
+use crate::state::Action;
 use crate::theme;
+use crate::widget::name_it;
 use egui::{Button, Ui};
 
 /// How a command is offered now.

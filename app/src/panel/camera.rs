@@ -1,7 +1,7 @@
 //! Saved cameras.
 
-use super::fields::fields;
-use crate::editor::Action;
+use crate::state::Action;
+use crate::widget::fields;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
 use cloudwright_core::scene::Camera;

@@ -1,9 +1,7 @@
 //! Placed clouds.
 
-use super::Reading;
-use super::fields::{Fields, fields};
-use super::kept::{self, Kept};
-use crate::editor::{Action, Item};
+use crate::state::{Action, Item, Reading};
+use crate::widget::{Fields, Kept, fields, kept};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
 use cloudwright_core::scene::{Cloud, Formation, FormationChange};

@@ -1,11 +1,9 @@
 //! Boxes of a model.
 
-use super::Reading;
-use super::fields::{Fields, fields, heading};
-use super::kept::{self, Kept};
 use super::shading_groups::group_name;
 use crate::command::Command;
-use crate::editor::{Action, Item};
+use crate::state::{Action, Item, Reading};
+use crate::widget::{Fields, Kept, fields, heading, kept};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
 use cloudwright_core::scene::{CloudBox, CloudModel, GroupId, ModelId};

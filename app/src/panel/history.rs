@@ -3,10 +3,9 @@
 //! Only the lines in sight are laid out, so a long history costs no more than a short one. When the present moves out of
 //! sight the list follows it.
 
-use super::Reading;
-use super::fields::name_it;
-use crate::editor::Action;
+use crate::state::{Action, Reading};
 use crate::theme::icon;
+use crate::widget::name_it;
 use egui::{Button, Id, RichText, ScrollArea, Ui};
 
 /// The panel.

@@ -1,10 +1,10 @@
 //! The values of what is selected. Several things of the primary's kind are changed together.
 
-use super::fields::{Fields, fields};
 use super::shading_groups::members;
-use super::{Reading, aircraft, camera, cloud, cloud_box, model, path};
+use super::{aircraft, camera, cloud, cloud_box, model, path};
 use crate::command::Command;
-use crate::editor::{Action, Choose, Item, aircraft_of, box_of, camera_of, group_of};
+use crate::state::{Action, Choose, Item, Reading, aircraft_of, box_of, camera_of, group_of};
+use crate::widget::{Fields, fields};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::{ModelId, ShadingGroup};
 use egui::{ScrollArea, Ui};

@@ -6,22 +6,17 @@ mod aircraft;
 mod bars;
 mod camera;
 mod chart;
-mod checkerboard;
 mod cloud;
 mod cloud_box;
-pub(crate) mod color_levels;
-mod fields;
+mod color_levels;
 mod flight;
-pub(crate) mod handle;
 mod history;
 mod inspector;
-mod kept;
 mod model;
 mod outline;
 mod palette;
 mod path;
 mod place_many;
-mod preset_gallery;
 mod problems;
 mod progress;
 mod shading_groups;
@@ -30,21 +25,15 @@ mod status;
 mod thinning;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
-pub(crate) use fields::{name_it, number_field};
 pub(crate) use palette::Palette;
 pub(crate) use place_many::{ask_place_many, default_places};
-pub use preset_gallery::{category_gallery, preset_gallery};
-pub(crate) use status::status;
+pub(crate) use status::{Drawn, status};
 pub(crate) use thinning::{THINNING_TOLERANCE, ThinAnswer, ask_thinning};
 
-use crate::editor::{Action, Charting, Clock, Session, TimePlay, ViewState};
+use crate::state::{Action, Reading};
 use crate::theme::icon;
-use crate::thumbnail::Thumbnails;
-use crate::units::Units;
-use cloudwright_core::scene::ColorLevels;
 use egui::Ui;
 use serde::{Deserialize, Serialize};
-use std::cell::RefCell;
 
 /// A panel that can be docked.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -70,44 +59,6 @@ pub(crate) enum Panel {
     History,
     /// What is wrong with the scene.
     Problems,
-}
-
-/// What panels read.
-#[derive(Clone, Copy)]
-pub(crate) struct Reading<'a> {
-    /// The open document.
-    pub(crate) session: &'a Session,
-    /// How it is looked at.
-    pub(crate) view: &'a ViewState,
-    /// Pictures of categories, drawn when they are asked for.
-    pub(crate) thumbnails: &'a RefCell<Thumbnails>,
-    /// The time of day, if it runs.
-    pub(crate) time_play: &'a TimePlay,
-    /// The scene's clock, and what is flown by it.
-    pub(crate) clock: &'a Clock,
-    /// What was measured of the scene.
-    pub(crate) charting: &'a Charting,
-    /// Colour levels to paste.
-    pub(crate) copied_levels: Option<&'a ColorLevels>,
-    /// Clockwise from north: where the viewport looks.
-    pub(crate) view_heading_deg: f64,
-    /// Whether what draws the viewport draws aircraft.
-    pub(crate) draws_aircraft: bool,
-    /// Whether the panel of colour levels is on the screen.
-    pub(crate) levels_shown: bool,
-    /// Whether flights by hand are recorded.
-    pub(crate) is_recording: bool,
-    /// Whether the panel of flights is on the screen.
-    pub(crate) flight_shown: bool,
-    /// What altitudes and speeds are shown in.
-    pub(crate) units: Units,
-}
-
-impl Reading<'_> {
-    /// The hour that is shown: the running one, or the scene's.
-    pub(crate) fn hour(&self) -> f64 {
-        self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
-    }
 }
 
 impl Panel {

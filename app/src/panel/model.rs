@@ -1,13 +1,11 @@
 //! Cloud models: category and culling. Boxes are in the outline, colours in their own panel.
 
-use super::Reading;
-use super::fields::{Fields, fields};
-use super::kept::{self, Kept};
 use crate::command::Command;
-use crate::editor::Action;
+use crate::state::{Action, Reading};
+use crate::widget::{Fields, Kept, fields, kept};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
-use cloudwright_core::scene::{Category, CloudModel, CullRadius};
+use cloudwright_core::scene::{CloudModel, CullRadius};
 use egui::Ui;
 
 #[derive(Clone, Copy, PartialEq)]
@@ -85,9 +83,4 @@ fn cull_kind(radius: CullRadius) -> CullKind {
         CullRadius::CloudHeightFraction(_) => CullKind::Height,
         CullRadius::Metres(_) => CullKind::Metres,
     }
-}
-
-/// The file's name in words.
-pub(super) fn category_name(category: Category) -> String {
-    category.name().replace('_', " ")
 }

@@ -1,8 +1,8 @@
 //! The scene as a tree: models with their boxes, clouds, cameras, flights. A click selects, with Ctrl or Shift more than one.
 
-use super::Reading;
-use crate::editor::{Action, Choose, Item, ViewChange};
+use crate::state::{Action, Choose, Item, Reading, ViewChange};
 use crate::theme::icon;
+use crate::widget::name_it;
 use cloudwright_core::scene::CloudModel;
 use egui::collapsing_header::CollapsingState;
 use egui::{Align, Button, Id, Layout, Response, ScrollArea, TextWrapMode, Ui};
@@ -112,7 +112,7 @@ fn row(ui: &mut Ui, text: &str, item: Item, reading: &Reading<'_>, actions: &mut
 fn small(ui: &mut Ui, glyph: &str, name: &str, on: bool) -> Response {
     let text = egui::RichText::new(glyph);
     let response = ui.add(Button::new(if on { text } else { text.weak() }).frame(false));
-    super::fields::name_it(ui, &response, name);
+    name_it(ui, &response, name);
     response.on_hover_text(name)
 }
 

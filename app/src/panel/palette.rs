@@ -2,8 +2,8 @@
 
 use crate::command::{Command, Row, TABLE};
 use crate::panel::CommandState;
-use crate::panel::fields::name_it;
 use crate::theme;
+use crate::widget::name_it;
 use egui::{Button, Context, Id, Key, Modal, Modifiers, ScrollArea, TextEdit};
 
 /// What is typed and which line is chosen, while the palette is open.

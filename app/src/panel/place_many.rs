@@ -1,7 +1,7 @@
 //! Many placements: how many, over which area, and what is left to chance. The scene shows them while they are chosen.
 
-use super::fields::{name_it, number_field};
 use crate::theme::{self, icon};
+use crate::widget::{name_it, number_field};
 use cloudwright_core::arrange::place_many::{MOST_CLOUDS, Pattern, Places};
 use cloudwright_core::parameter::{CLOUD_SCALE, Parameter};
 use cloudwright_core::random;

@@ -1,9 +1,8 @@
 //! What is wrong with the scene, and what to do about it; a click selects the thing.
 
-use super::Reading;
-use super::fields::name_it;
-use crate::editor::{Action, Item};
+use crate::state::{Action, Item, Reading};
 use crate::theme::{self, icon};
+use crate::widget::name_it;
 use cloudwright_core::problem::{self, Problem, Severity};
 use cloudwright_core::scene::Scene;
 use cloudwright_core::version::Version;
@@ -103,7 +102,7 @@ mod tests {
 
     #[test]
     fn places_lead_to_things() {
-        let scene = crate::editor::starter_scene();
+        let scene = crate::state::starter_scene();
         let (model, cloud) = (&scene.models[0], scene.clouds[0].id);
         for (place, want) in [
             ("models[0]", Some(Item::Model(model.id))),

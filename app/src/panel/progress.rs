@@ -1,6 +1,6 @@
 //! How far work off the frame has come, with a way to stop it: seen only when it takes a while.
 
-use crate::editor::{Action, Session};
+use crate::state::{Action, Session};
 use crate::theme;
 use egui::{Button, ProgressBar, Ui};
 use std::time::Duration;

@@ -1,34 +1,36 @@
 //! The line at the bottom: which renderer draws what, and what it costs.
 
 use super::progress::progress;
-use crate::editor::Action;
-use crate::panel::Reading;
-use crate::viewport::Viewport;
+use crate::state::{Action, Reading};
 use cloudwright_core::math::clock;
 use egui::{Align, Layout, Ui};
+use std::time::Duration;
+
+/// The viewport's last picture.
+pub(crate) struct Drawn {
+    /// What drew it, for people.
+    pub(crate) renderer: String,
+    /// How long it took; none until the first is there.
+    pub(crate) time: Option<Duration>,
+    /// Sprites blended on a pixel, in the mean, if that is known.
+    pub(crate) overdraw: Option<f32>,
+}
 
 /// The status bar.
-pub(crate) fn status(
-    ui: &mut Ui,
-    reading: &Reading<'_>,
-    viewport: &Viewport,
-    is_saving: bool,
-    actions: &mut Vec<Action>,
-) {
+pub(crate) fn status(ui: &mut Ui, reading: &Reading<'_>, drawn: &Drawn, is_saving: bool, actions: &mut Vec<Action>) {
     let clouds = reading.session.derived().clouds();
     let kept: usize = clouds.iter().map(|cloud| cloud.sprites.len()).sum();
     let tried: usize = clouds.iter().map(|cloud| cloud.candidate_count).sum();
     ui.horizontal(|ui| {
-        ui.label(viewport.renderer_name());
-        let time = viewport.picture_time();
-        ui.label(time.map_or_else(|| "…".into(), |time| format!("{:.0} ms", time.as_secs_f64() * 1e3)))
+        ui.label(&drawn.renderer);
+        ui.label(drawn.time.map_or_else(|| "…".into(), |time| format!("{:.0} ms", time.as_secs_f64() * 1e3)))
             .on_hover_text("What the last picture took.");
         ui.separator();
         ui.label(format!("{} cloud{}", clouds.len(), if clouds.len() == 1 { "" } else { "s" }));
         ui.label(format!("{kept} / {tried} sprites")).on_hover_text("Kept, and tried before culling.");
         ui.separator();
         ui.label(clock(reading.hour()));
-        if let Some(overdraw) = viewport.overdraw() {
+        if let Some(overdraw) = drawn.overdraw {
             ui.separator();
             ui.label(format!("overdraw {overdraw:.1}")).on_hover_text("Sprites blended on a pixel, in the mean.");
         }

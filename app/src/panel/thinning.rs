@@ -1,7 +1,7 @@
 //! Asks how much a scene may change when sprites are dropped, and shows how far that has come.
 
-use super::fields::number_field;
 use crate::theme;
+use crate::widget::number_field;
 use cloudwright_core::parameter::Parameter;
 use egui::{Context, Grid, Id, Modal, ProgressBar, Ui};
 

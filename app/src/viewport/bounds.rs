@@ -1,6 +1,6 @@
 //! What a selection fills of the world: for bringing it into view.
 
-use crate::editor::{Item, Selection, Session, box_of};
+use crate::state::{Item, Selection, Session, box_of};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::sprites::PlacedCloud;
 use glam::DVec3;

@@ -8,12 +8,9 @@ mod drawn;
 mod surface;
 
 use super::marquee::LEAST_DRAG;
-use super::overlay;
-use super::plane;
 use super::screen::Screen;
-use super::wireframe;
-use crate::editor::{Action, Choose, Item, box_of};
-use crate::panel::Reading;
+use super::{overlay, plane, wireframe};
+use crate::state::{Action, Choose, Item, Reading, box_of};
 use drawn::{Drawn, Made, Target};
 use egui::{Key, Modifiers, Painter, Pos2, Response, Ui, vec2};
 use glam::DVec3;

@@ -3,7 +3,7 @@
 use super::memory::Memory;
 use super::picture::{Clouds, Shot};
 use crate::opening::Beside;
-use crate::panel::Reading;
+use crate::state::Reading;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::method::Settings;
 use cloudwright_core::scene::{Camera, CameraPath};

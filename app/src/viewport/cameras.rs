@@ -1,8 +1,7 @@
 //! The scene's cameras in the viewport, as small frustums: when one is selected, and all when all outlines are shown.
 
 use super::screen::Screen;
-use crate::editor::Item;
-use crate::panel::Reading;
+use crate::state::{Item, Reading};
 use crate::theme;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::{Camera, CameraId};

@@ -6,9 +6,8 @@
 use super::brush::{Brush, Place};
 use super::lens::LensSource;
 use super::picture::{PictureSource, Shot};
-use crate::editor::Lens;
-use crate::panel::Reading;
 use crate::renderer::RendererChoice;
+use crate::state::{Lens, Reading};
 use cloudwright_core::facing::FacingMemory;
 use cloudwright_core::method::{self, Renderer, Settings};
 use eframe::egui_wgpu::RenderState;

@@ -3,9 +3,9 @@
 //! They are widgets, so they take the pointer before the viewport does, and arrow keys move a focused one by a step.
 
 use super::screen::Screen;
-use crate::editor::{Action, Item, Tool, box_of};
-use crate::panel::{Reading, name_it};
+use crate::state::{Action, Item, Reading, Tool, box_of};
 use crate::theme;
+use crate::widget::name_it;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter::BOX_SIZE;

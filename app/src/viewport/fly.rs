@@ -3,7 +3,7 @@
 //! The velocity relaxes towards the wanted one, and a turn is made over a moment; both are integrated exactly, not by
 //! explicit steps, so the path is the same at any frame rate and nothing overshoots after a slow frame.
 
-use crate::editor::MAX_STEP_S;
+use crate::state::MAX_STEP_S;
 use glam::{DVec2, DVec3};
 
 /// In this time the velocity's difference from the wanted one shrinks to 1/e: an aircraft's ease, and yet at hand.

@@ -6,8 +6,7 @@
 
 use super::screen::Screen;
 use super::targets::{Act, Targets};
-use crate::editor::{Action, Tool};
-use crate::panel::Reading;
+use crate::state::{Action, Reading, Tool};
 use crate::theme;
 use cloudwright_core::camera::NEAR_M;
 use egui::epaint::{Vertex, WHITE_UV};

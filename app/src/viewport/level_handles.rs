@@ -4,11 +4,9 @@
 //! It shows while the panel of colour levels does. A cloud that the view looks down on, or that is too small to take a
 //! handle of, has none.
 
-use crate::editor::Action;
-use crate::panel::Reading;
-use crate::panel::color_levels::{self, STEP, color32};
-use crate::panel::handle::Handle;
+use crate::state::{Action, Reading, color_levels};
 use crate::theme;
+use crate::widget::{Handle, LEVEL_STEP, choose_level, chosen_level, color32};
 use cloudwright_core::camera::View;
 use cloudwright_core::color::Rgba;
 use cloudwright_core::parameter::LEVEL_HEIGHT;
@@ -41,7 +39,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
 
     let mut levels = model.color_levels;
     let mut live = false;
-    let mut chosen = color_levels::chosen(ui.ctx());
+    let mut chosen = chosen_level(ui.ctx());
     let mut beside = 0.0;
     for (index, level) in model.color_levels.iter().enumerate() {
         let at = scale.at(level.height);
@@ -57,7 +55,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
             name: &format!("Level {} on the cloud", index + 1),
             parameter: &LEVEL_HEIGHT,
             value: level.height,
-            step: STEP,
+            step: LEVEL_STEP,
         }
         .show(ui, |start, way| scale.height(scale.at(start) + way));
         if let Some(height) = handled.wanted {
@@ -78,7 +76,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
             level.height
         ));
     }
-    color_levels::choose(ui.ctx(), chosen);
+    choose_level(ui.ctx(), chosen);
     actions.extend(color_levels::change(reading, &levels, live));
 }
 

@@ -6,8 +6,7 @@
 
 use super::pick;
 use super::screen::Screen;
-use crate::editor::{Item, Selection, SpriteMarks, ViewState};
-use crate::panel::Reading;
+use crate::state::{Item, Reading, Selection, SpriteMarks, ViewState};
 use crate::theme;
 use cloudwright_core::facing::{FacingMemory, Pose, Poses, corners};
 use cloudwright_core::scene::{Cloud, ModelId};

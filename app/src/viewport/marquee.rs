@@ -4,8 +4,7 @@
 
 use super::pick;
 use super::screen::Screen;
-use crate::editor::{Action, Choose, Item};
-use crate::panel::Reading;
+use crate::state::{Action, Choose, Item, Reading};
 use crate::theme;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::scene::CloudId;

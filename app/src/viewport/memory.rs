@@ -76,7 +76,7 @@ impl Memory {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::editor::starter_scene;
+    use crate::state::starter_scene;
     use cloudwright_core::method::named;
     use cloudwright_core::scene::{PathId, PathKey};
 

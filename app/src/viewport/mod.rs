@@ -31,9 +31,8 @@ mod steer;
 mod targets;
 mod wireframe;
 
-use crate::editor::{Action, Choose, Item, Selection, Session, Tool, ViewChange};
-use crate::panel::Reading;
 use crate::renderer::RendererChoice;
+use crate::state::{Action, Choose, Item, Reading, Selection, Session, Tool, ViewChange};
 use box_tool::BoxTool;
 use brush::Place;
 use canvas::Canvas;

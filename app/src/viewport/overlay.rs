@@ -1,9 +1,9 @@
 //! What stands in the viewport's corners: the tool's options, the cameras, and what the hands can do.
 
 use crate::command::Command;
-use crate::editor::{Action, Snap, Tool, ViewChange};
-use crate::panel::{Reading, name_it, number_field};
+use crate::state::{Action, Reading, Snap, Tool, ViewChange};
 use crate::theme::{self, icon};
+use crate::widget::{name_it, number_field};
 use cloudwright_core::parameter::{POSITION, Parameter};
 use egui::{Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, RichText, Ui, UiBuilder, vec2};
 

@@ -5,8 +5,7 @@
 //! change.
 
 use super::screen::Screen;
-use crate::editor::Item;
-use crate::panel::Reading;
+use crate::state::{Item, Reading};
 use crate::theme;
 use cloudwright_core::camera::View;
 use cloudwright_core::flight::{PathCurve, PathPoint};

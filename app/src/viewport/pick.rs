@@ -6,8 +6,7 @@
 use super::cameras;
 use super::screen::Screen;
 use super::wireframe::shows_boxes_of;
-use crate::editor::{Item, SpriteMarks};
-use crate::panel::Reading;
+use crate::state::{Item, Reading, SpriteMarks};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::camera::NEAR_M;
 use cloudwright_core::scene::{BoxId, Camera, Cloud, CloudBox, CloudId};

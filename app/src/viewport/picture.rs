@@ -7,9 +7,9 @@
 mod by_cpu;
 mod by_gpu;
 
-use crate::editor::Session;
 use crate::opening::Beside;
 use crate::renderer::RendererChoice;
+use crate::state::Session;
 use by_cpu::ByCpu;
 use by_gpu::ByGpu;
 use cloudwright_core::derived::Derived;

@@ -3,7 +3,7 @@
 //! It follows the path as it is in this frame, open gestures included.
 
 use super::navigation::Navigation;
-use crate::panel::Reading;
+use crate::state::Reading;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::scene::{Camera, CameraPath, PathId};
 

@@ -6,7 +6,7 @@
 use super::navigation::Navigation;
 use super::pick;
 use super::screen::Screen;
-use crate::panel::Reading;
+use crate::state::Reading;
 use egui::{EventFilter, Key, Modifiers, PointerButton, Response, Ui, vec2};
 
 /// Of turn an arrow key.

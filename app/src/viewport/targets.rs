@@ -3,8 +3,7 @@
 //! Every frame of a drag starts from there, so nothing drifts. Boxes and sprites are moved in the world of the cloud
 //! that they are seen in. What is locked or hidden stays. A thing whose whole is selected too moves with the whole.
 
-use crate::editor::{Item, Tool, ViewState, box_of, camera_of, group_of};
-use crate::panel::Reading;
+use crate::state::{Item, Reading, Tool, ViewState, box_of, camera_of, group_of};
 use cloudwright_core::arrange::{ModelSpace, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter::{BOX_SIZE, CLOUD_SCALE, POSITION};

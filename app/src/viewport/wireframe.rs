@@ -1,7 +1,7 @@
 //! Outlines of boxes, painted over the picture. Edges behind their own box are fainter.
 
 use super::screen::Screen;
-use crate::editor::{Item, ViewState};
+use crate::state::{Item, ViewState};
 use crate::theme;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::scene::{Cloud, CloudBox, Scene};

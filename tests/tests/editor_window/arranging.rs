@@ -2,7 +2,7 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::Item;
+use cloudwright::state::Item;
 use cloudwright_core::scene::Scene;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};

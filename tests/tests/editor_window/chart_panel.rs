@@ -5,7 +5,7 @@ use crate::flight_panel::with_path;
 use crate::off_frame::is_idle;
 use crate::tools::opened;
 use cloudwright::command::Command;
-use cloudwright::editor::Lens;
+use cloudwright::state::Lens;
 use cloudwright_core::method::{self, METHODS, Renderer};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, PointerButton, vec2};

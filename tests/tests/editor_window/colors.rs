@@ -2,7 +2,7 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::{Item, Selection};
+use cloudwright::state::{Item, Selection};
 use cloudwright_core::scene::{ColorLevels, DailyTable};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, Pos2, Vec2, vec2};

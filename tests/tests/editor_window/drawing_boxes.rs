@@ -3,7 +3,7 @@
 use crate::Window;
 use crate::tools::opened;
 use cloudwright::command::Command;
-use cloudwright::editor::Item;
+use cloudwright::state::Item;
 use egui::{Key, Modifiers, Pos2, Vec2, vec2};
 use glam::DVec3;
 

@@ -2,7 +2,7 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::{Item, Selection};
+use cloudwright::state::{Item, Selection};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 

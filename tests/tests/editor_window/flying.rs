@@ -4,7 +4,7 @@ use crate::Window;
 use crate::off_frame::is_idle;
 use crate::tools::opened;
 use cloudwright::command::Command;
-use cloudwright::editor::Tool;
+use cloudwright::state::Tool;
 use cloudwright::storage::Folders;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::Camera;

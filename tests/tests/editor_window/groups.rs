@@ -2,7 +2,7 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::Item;
+use cloudwright::state::Item;
 use cloudwright_core::scene::{CloudBox, CloudModel, GroupLight};
 use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, vec2};

@@ -25,8 +25,9 @@ mod viewing;
 mod walk;
 
 use cloudwright::command::Command;
-use cloudwright::editor::{Ask, Editor, FileDialogs, Item, Reply, Selection, Session, Start};
+use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Start};
 use cloudwright::renderer::RendererChoice;
+use cloudwright::state::{Item, Selection, Session};
 use cloudwright::storage::Folders;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::Scene;

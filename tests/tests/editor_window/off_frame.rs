@@ -1,7 +1,7 @@
 //! Slow work is never in the way, and an idle window does nothing.
 
 use crate::Window;
-use cloudwright::editor::Item;
+use cloudwright::state::Item;
 use cloudwright_core::derived::Derived;
 use egui::ViewportId;
 use egui::accesskit::Role;

@@ -3,7 +3,7 @@
 use crate::Window;
 use crate::tools::opened;
 use cloudwright::command::Command;
-use cloudwright::editor::Item;
+use cloudwright::state::Item;
 use cloudwright_core::camera::View;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::{CameraPath, PathId, PathKey};

@@ -2,7 +2,7 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::Item;
+use cloudwright::state::Item;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::camera::View;
 use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, GroupId};

@@ -1,7 +1,7 @@
 //! Selection both ways, and the hands on the viewport. None of it changes the scene.
 
 use crate::Window;
-use cloudwright::editor::Item;
+use cloudwright::state::Item;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::Queryable;

@@ -3,7 +3,7 @@
 
 use crate::Window;
 use cloudwright::command::{Command, Menu, TABLE};
-use cloudwright::editor::{Item, Selection};
+use cloudwright::state::{Item, Selection};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::{self, Severity};

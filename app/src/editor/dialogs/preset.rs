@@ -1,9 +1,9 @@
 //! Ready-made clouds by their pictures.
 
 use super::window;
-use crate::panel::preset_gallery;
 use crate::theme;
 use crate::thumbnail::Thumbnails;
+use crate::widget::preset_gallery;
 use cloudwright_core::preset::Preset;
 
 /// Which one; none if the user left it.

@@ -1,7 +1,8 @@
 //! New clouds, boxes, placements and cameras.
 
 use crate::command::Command;
-use crate::editor::{Editor, Item, Selection, box_of, camera_of, starter};
+use crate::editor::Editor;
+use crate::state::{Item, Selection, box_of, camera_of, starter};
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::preset::Preset;

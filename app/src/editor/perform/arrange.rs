@@ -4,7 +4,8 @@
 //! primary's kind, as in the inspector.
 
 use crate::command::Command;
-use crate::editor::{Editor, Item, Selection, box_of};
+use crate::editor::Editor;
+use crate::state::{Item, Selection, box_of};
 use cloudwright_core::arrange::duplicate::{self, Copy};
 use cloudwright_core::arrange::mirror::{self, Axis};
 use cloudwright_core::arrange::sprites::SpriteId;

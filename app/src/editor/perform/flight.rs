@@ -2,7 +2,8 @@
 
 use crate::command::Command;
 use crate::editor::recording::key_of;
-use crate::editor::{Ask, Editor, Item, Selection, aircraft_of};
+use crate::editor::{Ask, Editor};
+use crate::state::{Item, Selection, aircraft_of};
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::flight::leg_speed_mps;

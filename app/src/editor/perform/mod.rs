@@ -8,9 +8,10 @@ mod view;
 
 use super::dialogs::Dialog;
 use super::file_flow::Intent;
-use super::{Action, Ask, Editor, Item, Selection, Tool};
+use super::{Ask, Editor};
 use crate::command::Command;
 use crate::panel::Panel;
+use crate::state::{Action, Item, Selection, SpriteMarks, Tool};
 use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
 
@@ -126,7 +127,7 @@ impl Editor {
             Command::BoxTool => view.tool == Tool::Box,
             Command::Snap => view.snap.on,
             Command::ShowBoxes => view.show_all_boxes,
-            Command::SpriteMarks => view.sprite_marks != super::SpriteMarks::Off,
+            Command::SpriteMarks => view.sprite_marks != SpriteMarks::Off,
             Command::GroupView => view.group_view,
             Command::Solo => !view.solo.is_empty(),
             Command::PlayTime => self.time_play.is_on(),

@@ -2,7 +2,7 @@
 
 use crate::command::Command;
 use crate::editor::Editor;
-use crate::panel::color_levels::with_levels;
+use crate::state::color_levels::with_levels;
 use cloudwright_core::arrange::group::{self, Destination};
 use cloudwright_core::arrange::{Arrangement, Names, auto_group};
 

@@ -1,7 +1,7 @@
 //! What changes how the scene is looked at, and nothing in it.
 
-use crate::editor::view::ViewState;
-use crate::editor::{Choose, Editor, Item, Selection, ViewChange, camera_of};
+use crate::editor::Editor;
+use crate::state::{Choose, Item, Selection, ViewChange, ViewState, camera_of};
 use cloudwright_core::scene::CameraId;
 use std::collections::BTreeSet;
 

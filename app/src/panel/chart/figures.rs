@@ -2,8 +2,7 @@
 
 use crate::chart::report::Method;
 use crate::chart::text::figure;
-use crate::editor::{Action, ViewChange};
-use crate::panel::Reading;
+use crate::state::{Action, Reading, ViewChange};
 use crate::theme;
 use cloudwright_core::method::{self, Family, Renderer};
 use egui::Ui;

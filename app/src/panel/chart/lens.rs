@@ -1,8 +1,7 @@
 //! How the viewport shows the picture: as it is, beside the truth, or as a map of what it costs or gets wrong.
 
-use crate::editor::{Action, Lens, ViewChange};
-use crate::panel::Reading;
-use crate::panel::fields::name_it;
+use crate::state::{Action, Lens, Reading, ViewChange};
+use crate::widget::name_it;
 use cloudwright_core::method::{self, METHODS};
 use egui::{ComboBox, Ui};
 

@@ -6,12 +6,11 @@ mod lens;
 mod plot;
 mod table;
 
-use super::Reading;
-use super::fields::{heading, name_it, number_field};
 use crate::chart::front;
 use crate::chart::text::figure;
-use crate::editor::{Action, ChartChange, WIDTHS_PX};
+use crate::state::{Action, ChartChange, Reading, WIDTHS_PX};
 use crate::theme;
+use crate::widget::{heading, name_it, number_field};
 use cloudwright_core::parameter::Parameter;
 use egui::{ComboBox, ProgressBar, ScrollArea, Ui};
 

@@ -3,8 +3,7 @@
 use super::figures::{card, choose_method, family, is_chosen};
 use crate::chart::report::{Method, Report};
 use crate::chart::text::figure;
-use crate::editor::Action;
-use crate::panel::Reading;
+use crate::state::{Action, Reading};
 use crate::theme;
 use egui::{Align, Grid, Layout, RichText, Ui, vec2};
 

@@ -4,25 +4,18 @@
 //! What a hand does to the primary's levels is done to those of all selected models. The level that was touched last
 //! is the chosen one, here and on the cloud in the viewport.
 
-mod change;
 mod scale;
 mod silhouette;
 mod table;
 
-pub(crate) use change::{change, moved, with_levels};
-pub(crate) use scale::STEP;
-
-use super::Reading;
 use crate::command::Command;
-use crate::editor::Action;
-use crate::panel::fields::color::srgb_of;
-use crate::panel::fields::name_it;
+use crate::state::{Action, Reading, color_levels};
 use crate::theme::icon;
-use cloudwright_core::color::Rgba;
+use crate::widget::{checkerboard, choose_level, chosen_level, color32, name_it};
 use cloudwright_core::preset::LevelPreset;
 use cloudwright_core::scene::ColorLevels;
 use cloudwright_core::shading::level_color;
-use egui::{Button, Color32, Context, Id, Painter, Rect, ScrollArea, Sense, Ui, vec2};
+use egui::{Button, Painter, Rect, ScrollArea, Sense, Ui, vec2};
 
 /// The panel.
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -39,13 +32,13 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
             ui.weak(format!("{} models: changes go to all of them", models.len()));
         }
         let mut levels = model.color_levels;
-        let mut chosen = chosen(ui.ctx());
+        let mut chosen = chosen_level(ui.ctx());
         let room = room - (ui.cursor().top() - top) - table::height(ui);
         scale::show(ui, room, reading, &mut levels, &mut chosen);
         table::show(ui, &mut levels, &mut chosen);
-        choose(ui.ctx(), chosen);
+        choose_level(ui.ctx(), chosen);
         let live = ui.input(|input| input.pointer.any_down());
-        actions.extend(change(reading, &levels, live));
+        actions.extend(color_levels::change(reading, &levels, live));
     });
 }
 
@@ -53,7 +46,7 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut
     let presets = ui.menu_button(format!("Presets {}", icon::CARET_DOWN), |ui| {
         for preset in LevelPreset::all() {
             if offer(ui, preset) {
-                actions.push(change::replace(reading, "Preset of colour levels", preset.levels));
+                actions.push(color_levels::replace(reading, "Preset of colour levels", preset.levels));
             }
         }
     });
@@ -68,10 +61,10 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut
     }
     let arrange = ui.menu_button(format!("Arrange {}", icon::CARET_DOWN), |ui| {
         if ui.button("Turn upside down").clicked() {
-            actions.push(change::replace(reading, "Turn colour levels", change::upside_down(*levels)));
+            actions.push(color_levels::replace(reading, "Turn colour levels", color_levels::upside_down(*levels)));
         }
         if ui.button("Space evenly").clicked() {
-            actions.push(change::replace(reading, "Space colour levels", change::evenly_spaced(*levels)));
+            actions.push(color_levels::replace(reading, "Space colour levels", color_levels::evenly_spaced(*levels)));
         }
     });
     name_it(ui, &arrange.response, "Arrange colour levels");
@@ -87,29 +80,9 @@ fn offer(ui: &mut Ui, preset: &LevelPreset) -> bool {
     .inner
 }
 
-/// The level that was touched last, 0 the lowest.
-pub(crate) fn chosen(context: &Context) -> usize {
-    context.data(|data| data.get_temp(chosen_id())).unwrap_or(2)
-}
-
-/// Another one is touched.
-pub(crate) fn choose(context: &Context, level: usize) {
-    context.data_mut(|data| data.insert_temp(chosen_id(), level));
-}
-
-fn chosen_id() -> Id {
-    Id::unique("chosen colour level")
-}
-
-/// As the eye sees it, with its opacity.
-pub(crate) fn color32(color: Rgba) -> Color32 {
-    let [r, g, b] = srgb_of(color.rgb);
-    Color32::from_rgba_unmultiplied(r, g, b, (color.a.clamp(0.0, 1.0) * 255.0).round() as u8)
-}
-
 /// The levels upright, row by row so that steps stay sharp, over a board that shows how clear they are.
 fn paint_gradient(painter: &Painter, rect: Rect, levels: &ColorLevels) {
-    super::checkerboard::paint(painter, rect);
+    checkerboard::paint(painter, rect);
     let mut mesh = egui::Mesh::default();
     let rows = rect.height().round().max(1.0) as u32;
     let row_height = rect.height() / rows as f32;

@@ -1,9 +1,9 @@
 //! The upright gradient with its five handles, and beside it, at the same heights, the cloud.
 
-use super::{change, color32, paint_gradient, silhouette};
-use crate::panel::Reading;
-use crate::panel::handle::Handle;
+use super::{paint_gradient, silhouette};
+use crate::state::{Reading, color_levels};
 use crate::theme;
+use crate::widget::{Handle, LEVEL_STEP, color32};
 use cloudwright_core::color::Rgba;
 use cloudwright_core::parameter::LEVEL_HEIGHT;
 use cloudwright_core::scene::{ColorLevel, ColorLevels};
@@ -19,8 +19,6 @@ const GUTTER: f32 = 26.0;
 const TAG: egui::Vec2 = vec2(20.0, 13.0);
 /// From a handle's tip to where it is full, points.
 const TIP: f32 = 6.0;
-/// Of an arrow key.
-pub(crate) const STEP: f64 = 0.01;
 
 /// Handles change `levels`, and the one that is touched is `chosen`.
 pub(super) fn show(ui: &mut Ui, room: f32, reading: &Reading<'_>, levels: &mut ColorLevels, chosen: &mut usize) {
@@ -45,11 +43,11 @@ pub(super) fn show(ui: &mut Ui, room: f32, reading: &Reading<'_>, levels: &mut C
                 name: &format!("Level {}", index + 1),
                 parameter: &LEVEL_HEIGHT,
                 value: before[index].height,
-                step: STEP,
+                step: LEVEL_STEP,
             }
             .show(ui, |start, way| start - f64::from(way.y / bar.height()));
             if let Some(height) = handled.wanted {
-                *levels = change::moved(before, index, height);
+                *levels = color_levels::moved(before, index, height);
             }
             if handled.response.clicked() || handled.response.gained_focus() || handled.wanted.is_some() {
                 *chosen = index;

@@ -2,9 +2,9 @@
 //!
 //! Heights are true to the gradient beside it; widths are pressed together where the cloud is too wide for the panel.
 
-use super::color32;
-use crate::panel::Reading;
+use crate::state::Reading;
 use crate::theme;
+use crate::widget::color32;
 use cloudwright_core::color::Rgba;
 use cloudwright_core::scene::ColorLevels;
 use cloudwright_core::shading::level_color;

@@ -1,8 +1,7 @@
 //! All values of the five levels, highest first, as they lie in the cloud.
 
-use super::change;
-use crate::panel::fields::color::{brightness_field, color_field};
-use crate::panel::fields::{name_it, number_field};
+use crate::state::color_levels;
+use crate::widget::{brightness_field, color_field, name_it, number_field};
 use cloudwright_core::parameter::{ALPHA, LEVEL_HEIGHT};
 use cloudwright_core::scene::ColorLevels;
 use egui::{Grid, Ui};
@@ -42,7 +41,7 @@ fn row(ui: &mut Ui, levels: &mut ColorLevels, index: usize, is_chosen: bool) -> 
 
     let mut height = levels[index].height;
     touched |= number_field(ui, &format!("Level {number} height"), &LEVEL_HEIGHT, &mut height, false);
-    *levels = change::moved(*levels, index, height);
+    *levels = color_levels::moved(*levels, index, height);
 
     let color = &mut levels[index].color;
     let label = format!("Level {number} colour");

@@ -4,10 +4,9 @@
 
 use super::button;
 use crate::command::Command;
-use crate::editor::{Action, Item, ViewChange};
-use crate::panel::Reading;
-use crate::panel::fields::{name_it, number_field};
+use crate::state::{Action, Item, Reading, ViewChange};
 use crate::theme::{self, icon};
+use crate::widget::{name_it, number_field};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::flight::{SHORTEST_LEG_S, leg_speed_mps, with_speed_from};
 use cloudwright_core::parameter::{KEY_TIME_S, LEG_SPEED_MPS, Parameter};

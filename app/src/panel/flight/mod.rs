@@ -4,11 +4,10 @@ mod keys;
 mod traffic;
 mod transport;
 
-use super::Reading;
-use super::fields::{heading, name_it};
 use crate::command::Command;
-use crate::editor::{Action, Item, ViewChange};
+use crate::state::{Action, Item, Reading, ViewChange};
 use crate::theme::icon;
+use crate::widget::{heading, name_it};
 use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::scene::CameraPath;

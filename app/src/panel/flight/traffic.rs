@@ -2,11 +2,10 @@
 
 use super::button;
 use crate::command::Command;
-use crate::editor::{Action, Item};
-use crate::panel::Reading;
 use crate::panel::aircraft::model_menu;
-use crate::panel::fields::{name_it, number_field};
+use crate::state::{Action, Item, Reading};
 use crate::theme::icon;
+use crate::widget::{name_it, number_field};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter::AIRCRAFT_AHEAD_S;
 use cloudwright_core::scene::{Aircraft, CameraPath};

@@ -2,10 +2,9 @@
 
 use super::button;
 use crate::command::Command;
-use crate::editor::{Action, CLOCK_SPEED, ClockChange, ViewChange};
-use crate::panel::Reading;
-use crate::panel::fields::{name_it, number_field};
+use crate::state::{Action, CLOCK_SPEED, ClockChange, Reading, ViewChange};
 use crate::theme::{self, icon};
+use crate::widget::{name_it, number_field};
 use egui::{Slider, SliderClamping, Ui};
 
 const DOC: &str = "Seconds since play began: by this clock clouds form, and the path is flown.";

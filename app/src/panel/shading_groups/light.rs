@@ -4,9 +4,8 @@
 //! shown; what is changed is changed in all.
 
 use super::curve::{self, Shares};
-use crate::editor::{Action, Item, box_of, group_of};
-use crate::panel::Reading;
-use crate::panel::fields::{Fields, fields, heading};
+use crate::state::{Action, Item, Reading, box_of, group_of};
+use crate::widget::{Fields, fields, heading};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;

@@ -3,10 +3,9 @@
 //! A row has the tint, the name, the sprites that the cull left, and a warning where they are too many for one lump. A
 //! click selects, a second one the members; a selection of boxes or sprites can be put into a row's group.
 
-use crate::editor::{Action, Choose, Item};
-use crate::panel::Reading;
-use crate::panel::fields::name_it;
+use crate::state::{Action, Choose, Item, Reading};
 use crate::theme::{self, icon};
+use crate::widget::name_it;
 use cloudwright_core::arrange::auto_group::MOST_SPRITES;
 use cloudwright_core::arrange::delete;
 use cloudwright_core::arrange::group::{self, Destination};

@@ -6,10 +6,10 @@ mod list;
 
 pub(super) use list::{group_name, members};
 
-use super::Reading;
 use crate::command::Command;
-use crate::editor::Action;
+use crate::state::{Action, Reading};
 use crate::theme;
+use crate::widget::name_it;
 use egui::{ScrollArea, Ui};
 
 /// The panel.
@@ -32,7 +32,7 @@ fn buttons(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         let row = command.row();
         let button = egui::Button::new(format!("{} {name}", row.icon.unwrap_or_default())).selected(on);
         let response = ui.add_enabled(enabled, button);
-        super::fields::name_it(ui, &response, name);
+        name_it(ui, &response, name);
         let tooltip = row.tooltip(ui.ctx());
         if response.on_hover_text(&tooltip).on_disabled_hover_text(tooltip).clicked() {
             actions.push(Action::Command(command));

@@ -2,8 +2,8 @@
 //! be dragged if it is set by hand. Outside the rim it stands below the horizon.
 
 use super::sun_path::SunPath;
-use crate::panel::fields::name_it;
 use crate::theme;
+use crate::widget::name_it;
 use cloudwright_core::math::clock;
 use cloudwright_core::scene::{Place, Sun};
 use cloudwright_core::shading::sun_direction;

@@ -5,11 +5,10 @@ mod keys;
 mod strip;
 mod sun_path;
 
-use super::Reading;
-use super::fields::{Fields, fields, heading, name_it, number_field};
 use crate::command::Command;
-use crate::editor::{Action, ViewChange};
+use crate::state::{Action, Reading, ViewChange};
 use crate::theme::icon;
+use crate::widget::{Fields, fields, heading, name_it, number_field};
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::document::Edit;
 use cloudwright_core::math::clock;
@@ -85,7 +84,7 @@ fn time_slider(ui: &mut Ui, hour: &mut f64) -> bool {
         // Else it would round an hour that no hand has touched, and call that a change.
         .clamping(SliderClamping::Edits)
         .custom_formatter(|hour, _| clock(hour))
-        .custom_parser(|text| crate::cli::time_of_day(text).ok());
+        .custom_parser(|text| crate::units::time_of_day(text).ok());
     let response = ui.add(slider);
     name_it(ui, &response, parameter.label);
     let changed = response.changed();

@@ -5,11 +5,8 @@
 
 use super::keys;
 use super::sun_path::SunPath;
-use crate::panel::fields::color::{brightness_field, color_field};
-use crate::panel::fields::{name_it, number_field};
-use crate::panel::handle::{Handle, Handled};
-use crate::panel::{checkerboard, color_levels::color32};
 use crate::theme::{self, icon};
+use crate::widget::{Handle, Handled, brightness_field, checkerboard, color_field, color32, name_it, number_field};
 use cloudwright_core::color::Rgba;
 use cloudwright_core::math::clock;
 use cloudwright_core::parameter::{ALPHA, Parameter, TIME_OF_DAY_H};
@@ -256,7 +253,7 @@ fn hour_field(ui: &mut Ui, name: &str, hour: &mut f64) {
         .speed(1.0 / 60.0)
         .update_while_editing(false)
         .custom_formatter(|hour, _| clock(hour))
-        .custom_parser(|text| crate::cli::time_of_day(text).ok());
+        .custom_parser(|text| crate::units::time_of_day(text).ok());
     let response = ui.add_sized([48.0, ui.spacing().interact_size.y], field);
     name_it(ui, &response, name);
     let changed = response.changed();

@@ -1,6 +1,6 @@
 //! A box that is being drawn: its footprint and height in the world, and the edits that bring it into the scene.
 
-use crate::panel::Reading;
+use crate::state::Reading;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
@@ -214,7 +214,7 @@ impl RoundTo for f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::editor::starter_scene;
+    use crate::state::starter_scene;
     use cloudwright_core::document::Document;
 
     fn cloud_of(document: &Document) -> Cloud {

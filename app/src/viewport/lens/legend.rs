@@ -3,7 +3,7 @@
 use super::slide::Scale;
 use crate::chart::heat;
 use crate::chart::text::figure;
-use crate::editor::Lens;
+use crate::state::Lens;
 use crate::theme;
 use crate::viewport::overlay;
 use egui::{Align2, Color32, Mesh, Rect, Ui, Vec2, pos2, vec2};

@@ -9,7 +9,7 @@ mod slide;
 mod wipe;
 
 use super::picture::{Shot, image};
-use crate::editor::{Lens, Session};
+use crate::state::{Lens, Session};
 use crate::worker::Latest;
 use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;

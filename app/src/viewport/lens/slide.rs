@@ -1,8 +1,8 @@
 //! One slide: a picture of the truth, or a map in the colours of [`heat`].
 
 use crate::chart::heat;
-use crate::editor::Lens;
 use crate::opening::Beside;
+use crate::state::Lens;
 use crate::viewport::picture::Shot;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::image::Picture;

@@ -1,9 +1,9 @@
 //! The picture to the left of a handle, the truth to its right.
 
 use super::{LensSource, paint};
-use crate::panel::handle::Handle;
 use crate::theme::{self, icon};
 use crate::viewport::overlay;
+use crate::widget::Handle;
 use cloudwright_core::parameter::Parameter;
 use egui::{Align2, CursorIcon, FontId, Painter, Rect, Stroke, Ui, pos2, vec2};
 

@@ -1,8 +1,8 @@
 //! Pictures from a worker thread, at the resolution asked for; the latest request wins.
 
 use super::{Shot, image};
-use crate::editor::Session;
 use crate::opening::Beside;
+use crate::state::Session;
 use crate::worker::{self, Latest};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::image::Picture;

@@ -1,8 +1,8 @@
 //! Pictures from the window's own device, in a texture that egui shows without a copy.
 
 use super::Shot;
-use crate::editor::Session;
 use crate::renderer::gpu_name;
+use crate::state::Session;
 use cloudwright_render::{Gpu, RenderError, Renderer};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;

@@ -198,7 +198,7 @@ impl ViewState {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::editor::starter_scene;
+    use crate::state::starter_scene;
 
     #[test]
     fn what_is_hidden_is_not_drawn() {

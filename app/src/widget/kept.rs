@@ -6,7 +6,7 @@ use egui::{ProgressBar, Ui};
 
 /// Sprites before and after culling.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(super) struct Kept {
+pub(crate) struct Kept {
     kept: usize,
     tried: usize,
     groups: usize,
@@ -14,7 +14,7 @@ pub(super) struct Kept {
 
 impl Kept {
     /// Of all those clouds.
-    pub(super) fn of_clouds(clouds: &[&PlacedCloud]) -> Self {
+    pub(crate) fn of_clouds(clouds: &[&PlacedCloud]) -> Self {
         clouds.iter().fold(Self::default(), |sum, cloud| Self {
             kept: sum.kept + cloud.sprites.len(),
             tried: sum.tried + cloud.candidate_count,
@@ -23,7 +23,7 @@ impl Kept {
     }
 
     /// Of boxes, as their model is placed in `cloud`. Sprites that were taken out by hand are not tried.
-    pub(super) fn of_boxes<'a>(boxes: impl IntoIterator<Item = &'a CloudBox>, cloud: &PlacedCloud) -> Self {
+    pub(crate) fn of_boxes<'a>(boxes: impl IntoIterator<Item = &'a CloudBox>, cloud: &PlacedCloud) -> Self {
         boxes.into_iter().fold(Self::default(), |sum, each| {
             let is_dropped =
                 |edit: &&cloudwright_core::scene::SpriteEdit| edit.dropped && edit.index < each.sprite_count;
@@ -38,7 +38,7 @@ impl Kept {
 }
 
 /// The counts in words, over a bar that shows their share.
-pub(super) fn line(ui: &mut Ui, count: &Kept) {
+pub(crate) fn line(ui: &mut Ui, count: &Kept) {
     let Kept { kept, tried, groups } = *count;
     let share = if tried > 0 { kept as f32 / tried as f32 } else { 0.0 };
     let mut text = format!("{kept} of {tried} sprites kept");

@@ -6,13 +6,13 @@
 //! label and the part.
 
 mod category;
-pub(super) mod color;
+mod color;
 mod number;
 mod picker;
 mod refusal;
 mod text;
 
-use crate::editor::Action;
+use crate::state::Action;
 use crate::theme;
 use cloudwright_core::document::Edit;
 use cloudwright_core::parameter::Parameter;
@@ -20,26 +20,27 @@ use egui::{Grid, Response, RichText, Ui};
 use glam::DVec3;
 use std::any::Any;
 
+pub(crate) use color::{brightness_field, color_field, color32};
 pub(crate) use number::number_field;
 
 /// What was changed in the thing that is shown: names and values.
 type Record = Vec<(String, Box<dyn Any>)>;
 
 /// Rows of a name and one or more values, shown or filled in.
-pub(super) struct Fields<'a> {
+pub(crate) struct Fields<'a> {
     ui: Option<&'a mut Ui>,
     record: &'a mut Record,
 }
 
 /// The values of one row.
-pub(super) struct Values<'a> {
+pub(crate) struct Values<'a> {
     ui: Option<&'a mut Ui>,
     record: &'a mut Record,
 }
 
 /// Shows `rows` of the first of `things` in two columns. What was touched there is changed in all of them, by the edits
 /// that `edit` makes of the changed things, under `name`: as part of a gesture while a button is down.
-pub(super) fn fields<T: Clone>(
+pub(crate) fn fields<T: Clone>(
     ui: &mut Ui,
     name: &'static str,
     actions: &mut Vec<Action>,
@@ -68,7 +69,7 @@ pub(super) fn fields<T: Clone>(
 
 impl Fields<'_> {
     /// A row: its name, and what `values` puts beside it.
-    pub(super) fn row(&mut self, label: &str, doc: &str, values: impl FnOnce(&mut Values<'_>)) {
+    pub(crate) fn row(&mut self, label: &str, doc: &str, values: impl FnOnce(&mut Values<'_>)) {
         let record = &mut *self.record;
         let Some(ui) = self.ui.as_deref_mut() else {
             return values(&mut Values { ui: None, record });
@@ -82,22 +83,22 @@ impl Fields<'_> {
     }
 
     /// A number under its parameter's own label.
-    pub(super) fn number(&mut self, parameter: &Parameter, value: &mut f64) {
+    pub(crate) fn number(&mut self, parameter: &Parameter, value: &mut f64) {
         self.labelled(parameter.label, parameter, value);
     }
 
     /// A number under another label.
-    pub(super) fn labelled(&mut self, label: &str, parameter: &Parameter, value: &mut f64) {
+    pub(crate) fn labelled(&mut self, label: &str, parameter: &Parameter, value: &mut f64) {
         self.row(label, parameter.doc, |values| values.number(label, parameter, value));
     }
 
     /// A whole number.
-    pub(super) fn whole(&mut self, parameter: &Parameter, value: &mut u32) {
+    pub(crate) fn whole(&mut self, parameter: &Parameter, value: &mut u32) {
         self.row(parameter.label, parameter.doc, |values| values.whole(parameter.label, parameter, value));
     }
 
     /// Three whole numbers along the axes.
-    pub(super) fn whole_vector(&mut self, parameter: &Parameter, value: &mut [u32; 3]) {
+    pub(crate) fn whole_vector(&mut self, parameter: &Parameter, value: &mut [u32; 3]) {
         self.row(parameter.label, parameter.doc, |values| {
             for (axis, part) in AXES.iter().zip(value) {
                 values.whole(&format!("{} {axis}", parameter.label), parameter, part);
@@ -106,7 +107,7 @@ impl Fields<'_> {
     }
 
     /// A point or an extent.
-    pub(super) fn vector(&mut self, label: &str, parameter: &Parameter, value: &mut DVec3) {
+    pub(crate) fn vector(&mut self, label: &str, parameter: &Parameter, value: &mut DVec3) {
         self.row(label, parameter.doc, |values| {
             for (axis, part) in AXES.iter().zip([&mut value.x, &mut value.y, &mut value.z]) {
                 values.number(&format!("{label} {axis}"), parameter, part);
@@ -115,7 +116,7 @@ impl Fields<'_> {
     }
 
     /// Smallest and largest. One pushes the other along, so that they never cross.
-    pub(super) fn range(&mut self, label: &str, parameter: &Parameter, value: &mut [f64; 2]) {
+    pub(crate) fn range(&mut self, label: &str, parameter: &Parameter, value: &mut [f64; 2]) {
         self.row(label, parameter.doc, |values| {
             let [low, high] = value;
             let before = [*low, *high];
@@ -132,7 +133,7 @@ impl Fields<'_> {
     }
 
     /// One of a few.
-    pub(super) fn choice<T: PartialEq + Clone + 'static>(
+    pub(crate) fn choice<T: PartialEq + Clone + 'static>(
         &mut self,
         label: &str,
         doc: &str,
@@ -155,7 +156,7 @@ impl Fields<'_> {
     }
 
     /// Yes or no.
-    pub(super) fn check(&mut self, label: &str, doc: &str, value: &mut bool) {
+    pub(crate) fn check(&mut self, label: &str, doc: &str, value: &mut bool) {
         self.row("", "", |values| {
             values.value(label, value, |ui, value| ui.checkbox(value, label).on_hover_text(doc).changed());
         });
@@ -164,7 +165,7 @@ impl Fields<'_> {
 
 impl Values<'_> {
     /// One value: `show` puts it on the screen and tells whether it was changed.
-    pub(super) fn value<T: Clone + 'static>(
+    pub(crate) fn value<T: Clone + 'static>(
         &mut self,
         name: &str,
         value: &mut T,
@@ -182,7 +183,7 @@ impl Values<'_> {
     }
 
     /// Words between values.
-    pub(super) fn text(&mut self, text: &str) {
+    pub(crate) fn text(&mut self, text: &str) {
         if let Some(ui) = self.ui.as_deref_mut() {
             ui.label(text);
         }
@@ -192,7 +193,7 @@ impl Values<'_> {
 const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A line between groups of rows.
-pub(super) fn heading(ui: &mut Ui, text: &str) {
+pub(crate) fn heading(ui: &mut Ui, text: &str) {
     ui.add_space(theme::GAP);
     ui.label(RichText::new(text).strong());
     ui.separator();

@@ -36,7 +36,7 @@ pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Optio
         let mut chosen = None;
         for category in Category::ALL {
             let texture = thumbnails.texture(Subject::Category(category));
-            let name = super::model::category_name(category);
+            let name = category_name(category);
             let response = tile(ui, texture, theme::CATEGORY_PICTURE, &name, Some(Some(category) == present));
             if response.on_hover_text(name).clicked() && Some(category) != present {
                 chosen = Some(category);
@@ -103,4 +103,9 @@ fn paint(ui: &Ui, response: &Response, texture: Option<TextureId>, picture: Vec2
 /// Names of small pictures are small.
 fn name_style(picture: Vec2) -> TextStyle {
     if picture.x < theme::PRESET_PICTURE.x { TextStyle::Small } else { TextStyle::Body }
+}
+
+/// The file's name in words.
+pub(super) fn category_name(category: Category) -> String {
+    category.name().replace('_', " ")
 }

@@ -1,9 +1,9 @@
 //! A colour with its brightness beside it: the picker shows sRGB, which ends at white.
 
 use super::{number_field, picker};
-use cloudwright_core::color::{Rgb, linear_from_srgb, srgb_from_linear};
+use cloudwright_core::color::{Rgb, Rgba, linear_from_srgb, srgb_from_linear};
 use cloudwright_core::parameter::{self, Parameter};
-use egui::Ui;
+use egui::{Color32, Ui};
 
 const BRIGHTNESS: Parameter =
     Parameter { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..parameter::COLOR };
@@ -16,7 +16,7 @@ fn set_brightness(value: &mut Rgb, brightness: f64) {
 }
 
 /// How much brighter than white a colour is. Whether that was changed.
-pub(in crate::panel) fn brightness_field(ui: &mut Ui, name: &str, value: &mut Rgb) -> bool {
+pub(crate) fn brightness_field(ui: &mut Ui, name: &str, value: &mut Rgb) -> bool {
     let mut brightness = f64::from(brightness_of(*value));
     let changed = number_field(ui, name, &BRIGHTNESS, &mut brightness, false);
     set_brightness(value, brightness);
@@ -24,19 +24,25 @@ pub(in crate::panel) fn brightness_field(ui: &mut Ui, name: &str, value: &mut Rg
 }
 
 /// What a colour is divided by to fit into sRGB: 1 unless it is brighter than white.
-pub(in crate::panel) fn brightness_of(color: Rgb) -> f32 {
+fn brightness_of(color: Rgb) -> f32 {
     color.to_array().into_iter().fold(1.0, f32::max)
 }
 
 /// The nearest 8-bit sRGB of a linear colour, its brightness left out.
-pub(in crate::panel) fn srgb_of(color: Rgb) -> [u8; 3] {
+fn srgb_of(color: Rgb) -> [u8; 3] {
     (color * (1.0 / brightness_of(color)))
         .to_array()
         .map(|c| (srgb_from_linear(c.clamp(0.0, 1.0)) * 255.0).round() as u8)
 }
 
+/// As the eye sees it, with its opacity.
+pub(crate) fn color32(color: Rgba) -> Color32 {
+    let [r, g, b] = srgb_of(color.rgb);
+    Color32::from_rgba_unmultiplied(r, g, b, (color.a.clamp(0.0, 1.0) * 255.0).round() as u8)
+}
+
 /// A button that opens the picker. Whether the colour was changed; its brightness stays.
-pub(in crate::panel) fn color_field(ui: &mut Ui, label: &str, value: &mut Rgb) -> bool {
+pub(crate) fn color_field(ui: &mut Ui, label: &str, value: &mut Rgb) -> bool {
     let mut bytes = srgb_of(*value);
     let response = picker::button(ui, label, &mut bytes);
     let changed = response.on_hover_text(parameter::COLOR.doc).changed();

@@ -8,12 +8,12 @@ use std::cell::Cell;
 
 impl Values<'_> {
     /// A number.
-    pub(in crate::panel) fn number(&mut self, name: &str, parameter: &Parameter, value: &mut f64) {
+    pub(crate) fn number(&mut self, name: &str, parameter: &Parameter, value: &mut f64) {
         self.value(name, value, |ui, value| number_field(ui, name, parameter, value, false));
     }
 
     /// A whole number.
-    pub(in crate::panel) fn whole(&mut self, name: &str, parameter: &Parameter, value: &mut u32) {
+    pub(crate) fn whole(&mut self, name: &str, parameter: &Parameter, value: &mut u32) {
         self.value(name, value, |ui, value| {
             let mut number = f64::from(*value);
             let changed = number_field(ui, name, parameter, &mut number, true);

@@ -7,7 +7,7 @@ use egui::{DragValue, Id, Key, TextEdit};
 
 impl Fields<'_> {
     /// A name. It is taken over when the field is left.
-    pub(in crate::panel) fn text(&mut self, label: &str, value: &mut String) {
+    pub(crate) fn text(&mut self, label: &str, value: &mut String) {
         self.row(label, "", |values| {
             values.value(label, value, |ui, value| {
                 let id: Id = ui.next_auto_id();
@@ -30,7 +30,7 @@ impl Fields<'_> {
     }
 
     /// A seed: any whole number, no use in dragging it. The dice roll another one, for each of several things its own.
-    pub(in crate::panel) fn seed(&mut self, label: &str, doc: &str, value: &mut u64) {
+    pub(crate) fn seed(&mut self, label: &str, doc: &str, value: &mut u64) {
         self.row(label, doc, |values| {
             values.value(label, value, |ui, value| {
                 let field = DragValue::new(value).speed(0.05).update_while_editing(false);

@@ -7,7 +7,7 @@ use egui::{Mesh, Painter, Rect, pos2};
 const FIELD: f32 = 5.0;
 
 /// Fills `rect`.
-pub(super) fn paint(painter: &Painter, rect: Rect) {
+pub(crate) fn paint(painter: &Painter, rect: Rect) {
     let mut mesh = Mesh::default();
     let [light, dark] = theme::CHECKERBOARD;
     mesh.add_colored_rect(rect, light);

@@ -1,8 +1,7 @@
 //! Changes to colour levels: levels stay in order, and what is changed in the primary's model is changed in all
 //! selected ones.
 
-use crate::editor::Action;
-use crate::panel::Reading;
+use crate::state::{Action, Reading};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::{CloudModel, ColorLevels};
 
@@ -35,14 +34,14 @@ pub(crate) fn change(reading: &Reading<'_>, after: &ColorLevels, live: bool) -> 
 }
 
 /// Gives the selected models these levels, whatever theirs are.
-pub(super) fn replace(reading: &Reading<'_>, name: &'static str, levels: ColorLevels) -> Action {
+pub(crate) fn replace(reading: &Reading<'_>, name: &'static str, levels: ColorLevels) -> Action {
     let models = reading.view.selection.models(reading.session.scene());
     let edits = models.into_iter().map(|model| with_levels(model, levels)).collect();
     Action::Change { name, edits, live: false }
 }
 
 /// The same colours the other way up.
-pub(super) fn upside_down(levels: ColorLevels) -> ColorLevels {
+pub(crate) fn upside_down(levels: ColorLevels) -> ColorLevels {
     let mut turned = levels;
     for (level, from) in turned.iter_mut().zip(levels.iter().rev()) {
         level.color = from.color;
@@ -52,7 +51,7 @@ pub(super) fn upside_down(levels: ColorLevels) -> ColorLevels {
 }
 
 /// The same colours at even distances.
-pub(super) fn evenly_spaced(mut levels: ColorLevels) -> ColorLevels {
+pub(crate) fn evenly_spaced(mut levels: ColorLevels) -> ColorLevels {
     let last = (levels.len() - 1) as f64;
     for (i, level) in levels.iter_mut().enumerate() {
         level.height = i as f64 / last;

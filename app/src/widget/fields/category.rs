@@ -1,10 +1,9 @@
 //! A category, chosen by its picture.
 
 use super::{Fields, name_it};
-use crate::panel::model::category_name;
-use crate::panel::preset_gallery::category_gallery;
 use crate::theme;
 use crate::thumbnail::Thumbnails;
+use crate::widget::preset_gallery::{category_gallery, category_name};
 use cloudwright_core::scene::Category;
 use std::cell::RefCell;
 
@@ -12,14 +11,14 @@ const DOC: &str = "Which tiles its sprites show.";
 
 impl Fields<'_> {
     /// A category of its own.
-    pub(in crate::panel) fn category(&mut self, value: &mut Category, thumbnails: &RefCell<Thumbnails>) {
+    pub(crate) fn category(&mut self, value: &mut Category, thumbnails: &RefCell<Thumbnails>) {
         let mut own = Some(*value);
         self.choose_category(&mut own, None, thumbnails);
         *value = own.unwrap_or(*value);
     }
 
     /// A category of its own, or none: then it is `inherited`.
-    pub(in crate::panel) fn category_or(
+    pub(crate) fn category_or(
         &mut self,
         value: &mut Option<Category>,
         inherited: Category,

@@ -3,8 +3,8 @@
 //! It runs in the view alone, as the time of day does: nothing can be undone or is unsaved. It runs from 0 to the chosen
 //! path's end; without a path that can be flown, until the last cloud has formed or gone.
 
-use super::MAX_STEP_S;
 use super::selection::{Item, aircraft_of};
+use super::time_play::MAX_STEP_S;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::parameter::Parameter;
 use cloudwright_core::scene::{CameraPath, Formation, PathId, Scene};
@@ -115,7 +115,7 @@ impl Clock {
     }
 
     /// The selection says which path is chosen: it, or the one of its aircraft.
-    pub(super) fn choose(&mut self, primary: Option<Item>, scene: &Scene) {
+    pub(crate) fn choose(&mut self, primary: Option<Item>, scene: &Scene) {
         let chosen = match primary {
             Some(Item::Path(id)) => Some(id),
             Some(Item::Aircraft(id)) => aircraft_of(scene, id).map(|aircraft| aircraft.path),
@@ -125,7 +125,7 @@ impl Clock {
     }
 
     /// Goes on for `seconds` of the artist's; a stall counts as one step.
-    pub(super) fn advance(&mut self, seconds: f64, length_s: f64) {
+    pub(crate) fn advance(&mut self, seconds: f64, length_s: f64) {
         let to_s = self.time_s + seconds.clamp(0.0, MAX_STEP_S) * self.speed;
         if !self.plays || to_s.is_nan() || to_s <= self.time_s {
             return;
@@ -141,19 +141,19 @@ impl Clock {
     }
 
     /// Begins to run; from the start if it is at its end.
-    pub(super) fn play(&mut self, length_s: f64) {
+    pub(crate) fn play(&mut self, length_s: f64) {
         if self.time_s >= length_s {
             self.time_s = 0.0;
         }
         self.plays = true;
     }
 
-    pub(super) fn pause(&mut self) {
+    pub(crate) fn pause(&mut self) {
         self.plays = false;
     }
 
     /// Put somewhere by hand, which may go on with it.
-    pub(super) fn seek(&mut self, time_s: f64, length_s: f64) {
+    pub(crate) fn seek(&mut self, time_s: f64, length_s: f64) {
         if !time_s.is_nan() {
             self.time_s = time_s.clamp(0.0, length_s.max(0.0));
             self.is_sought = true;
@@ -161,41 +161,41 @@ impl Clock {
     }
 
     /// The hand has let it go.
-    pub(super) fn let_go(&mut self) {
+    pub(crate) fn let_go(&mut self) {
         self.is_sought = false;
     }
 
     /// The scene may have changed: not beyond its end.
-    pub(super) fn stay_within(&mut self, length_s: f64) {
+    pub(crate) fn stay_within(&mut self, length_s: f64) {
         self.time_s = self.time_s.min(length_s);
     }
 
-    pub(super) fn toggle_loop(&mut self) {
+    pub(crate) fn toggle_loop(&mut self) {
         self.loops ^= true;
     }
 
-    pub(super) fn toggle_boards(&mut self) {
+    pub(crate) fn toggle_boards(&mut self) {
         self.boards ^= true;
     }
 
-    pub(super) fn set_speed(&mut self, speed: f64) {
+    pub(crate) fn set_speed(&mut self, speed: f64) {
         if CLOCK_SPEED.allows(speed) {
             self.speed = speed;
         }
     }
 
     /// The view goes on board, or was seen to leave.
-    pub(super) fn set_on_board(&mut self, on_board: bool) {
+    pub(crate) fn set_on_board(&mut self, on_board: bool) {
         self.on_board = on_board;
     }
 
     /// Whether the view was last known to be on board.
-    pub(super) fn on_board(&self) -> bool {
+    pub(crate) fn on_board(&self) -> bool {
         self.on_board
     }
 
     /// For another scene. How it is played stays.
-    pub(super) fn begin_anew(&mut self) {
+    pub(crate) fn begin_anew(&mut self) {
         *self = Self { loops: self.loops, speed: self.speed, boards: self.boards, ..Self::default() };
     }
 }
@@ -209,7 +209,7 @@ fn end_s(formation: &Formation) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::editor::starter_scene;
+    use crate::state::starter_scene;
 
     #[test]
     fn runs_to_its_end_or_round_and_never_jumps() {

@@ -1,0 +1,27 @@
+//! What panels, viewport and editor share: the open document, how it is looked at, and what may be asked of the editor.
+//!
+//! Everything here is a value with its rules; none of it knows a panel, the viewport or the editor. Panels and viewport
+//! read it as a [`Reading`] and return [`Action`]s, which the editor carries out.
+
+mod action;
+mod charting;
+mod clock;
+pub(crate) mod color_levels;
+mod reading;
+mod regeneration;
+mod selection;
+mod session;
+pub(crate) mod starter;
+mod time_play;
+mod view;
+
+pub(crate) use action::{Action, ViewChange};
+pub(crate) use charting::{ChartChange, ChartEye, ChartSubject, Charting, WIDTHS_PX};
+pub(crate) use clock::{CLOCK_SPEED, Clock, ClockChange};
+pub(crate) use reading::Reading;
+pub use selection::{Choose, Item, Selection};
+pub(crate) use selection::{aircraft_of, box_of, camera_of, group_of};
+pub use session::{Pending, Session};
+pub(crate) use starter::scene as starter_scene;
+pub(crate) use time_play::{MAX_STEP_S, TimePlay};
+pub use view::{Lens, Snap, SpriteMarks, Tool, ViewState};

@@ -1,0 +1,45 @@
+//! What panels and viewport read in a frame.
+
+use super::{Charting, Clock, Session, TimePlay, ViewState};
+use crate::thumbnail::Thumbnails;
+use crate::units::Units;
+use cloudwright_core::scene::ColorLevels;
+use std::cell::RefCell;
+
+/// What panels read.
+#[derive(Clone, Copy)]
+pub(crate) struct Reading<'a> {
+    /// The open document.
+    pub(crate) session: &'a Session,
+    /// How it is looked at.
+    pub(crate) view: &'a ViewState,
+    /// Pictures of categories, drawn when they are asked for.
+    pub(crate) thumbnails: &'a RefCell<Thumbnails>,
+    /// The time of day, if it runs.
+    pub(crate) time_play: &'a TimePlay,
+    /// The scene's clock, and what is flown by it.
+    pub(crate) clock: &'a Clock,
+    /// What was measured of the scene.
+    pub(crate) charting: &'a Charting,
+    /// Colour levels to paste.
+    pub(crate) copied_levels: Option<&'a ColorLevels>,
+    /// Clockwise from north: where the viewport looks.
+    pub(crate) view_heading_deg: f64,
+    /// Whether what draws the viewport draws aircraft.
+    pub(crate) draws_aircraft: bool,
+    /// Whether the panel of colour levels is on the screen.
+    pub(crate) levels_shown: bool,
+    /// Whether flights by hand are recorded.
+    pub(crate) is_recording: bool,
+    /// Whether the panel of flights is on the screen.
+    pub(crate) flight_shown: bool,
+    /// What altitudes and speeds are shown in.
+    pub(crate) units: Units,
+}
+
+impl Reading<'_> {
+    /// The hour that is shown: the running one, or the scene's.
+    pub(crate) fn hour(&self) -> f64 {
+        self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
+    }
+}

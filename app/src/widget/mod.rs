@@ -1,0 +1,14 @@
+//! Controls that several panels, the viewport or a dialog use. They show a value and tell what was done with it.
+
+pub(crate) mod checkerboard;
+mod chosen_level;
+mod fields;
+mod handle;
+pub(crate) mod kept;
+mod preset_gallery;
+
+pub(crate) use chosen_level::{LEVEL_STEP, choose_level, chosen_level};
+pub(crate) use fields::{Fields, brightness_field, color_field, color32, fields, heading, name_it, number_field};
+pub(crate) use handle::{Handle, Handled};
+pub(crate) use kept::Kept;
+pub use preset_gallery::{category_gallery, preset_gallery};
