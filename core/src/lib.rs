@@ -32,6 +32,7 @@ pub mod raster;
 pub mod scene;
 pub mod shading;
 pub mod sky;
+pub mod spelling;
 pub mod sprites;
 pub mod thin;
 pub mod tone;

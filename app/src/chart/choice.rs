@@ -8,27 +8,28 @@ use cloudwright_core::method::{self, METHODS, Method, Renderer};
 use cloudwright_render::AdapterChoice;
 
 /// All that make a difference, and need no adapter.
-pub(crate) fn on_the_cpu() -> Vec<String> {
-    names(|renderer| !matches!(renderer, Renderer::Plain | Renderer::Gpu))
+pub(crate) fn on_the_cpu() -> Vec<&'static Method> {
+    methods(|renderer| !matches!(renderer, Renderer::Plain | Renderer::Gpu))
 }
 
 /// The plain way is slow, and draws what “no-stop” draws.
-fn names(is_meant: impl Fn(Renderer) -> bool) -> Vec<String> {
-    METHODS.iter().filter(|method| is_meant(method.settings.renderer)).map(|method| method.name.to_owned()).collect()
+fn methods(is_meant: impl Fn(Renderer) -> bool) -> Vec<&'static Method> {
+    METHODS.iter().filter(|method| is_meant(method.settings.renderer)).collect()
 }
 
-/// Those of the names `asked` for, or all that make a difference, ready to draw; and what is left out.
-pub(crate) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> (Vec<Easel<'a>>, Vec<LeftOut>) {
+/// Those of the methods `asked` for, or all that make a difference, ready to draw; and what is left out.
+pub(crate) fn easels<'a>(subject: &Subject<'a>, asked: &[&'static Method]) -> (Vec<Easel<'a>>, Vec<LeftOut>) {
     let (mut easels, mut left_out): (Vec<Easel<'a>>, Vec<LeftOut>) = Default::default();
-    let all = names(|renderer| renderer != Renderer::Plain);
+    let all = methods(|renderer| renderer != Renderer::Plain);
     // A program that plays a GPU is worth a look only to someone who asks for it.
-    let (names, adapter) =
+    let (methods, adapter) =
         if asked.is_empty() { (&all[..], AdapterChoice::HardwareOnly) } else { (asked, AdapterChoice::Any) };
-    for name in names.iter().map(|name| name.trim()) {
+    for &method in methods {
+        let name = method.name;
         if easels.iter().any(|easel| easel.method.name == name) || left_out.iter().any(|one| one.name == name) {
             continue;
         }
-        match easel(subject, name, &adapter) {
+        match easel(subject, method, &adapter) {
             Ok(easel) => easels.push(easel),
             Err(reason) => left_out.push(LeftOut { name: name.into(), reason }),
         }
@@ -36,17 +37,15 @@ pub(crate) fn easels<'a>(subject: &Subject<'a>, asked: &[String]) -> (Vec<Easel<
     (easels, left_out)
 }
 
-fn easel<'a>(subject: &Subject<'a>, name: &str, adapter: &AdapterChoice) -> Result<Easel<'a>, String> {
-    let unknown = || {
-        let names: Vec<&str> = METHODS.iter().map(|method: &Method| method.name).collect();
-        format!("there is no such method (the methods are {})", names.join(", "))
-    };
-    let method = method::named(name).ok_or_else(unknown)?;
+fn easel<'a>(subject: &Subject<'a>, method: &'static Method, adapter: &AdapterChoice) -> Result<Easel<'a>, String> {
     match method.settings.without_effect(subject.flies(), subject.forms()) {
         Some(reason) => Err(format!("it would draw what “{}” draws: {reason}", method::shipped().name)),
         None => Easel::new(*subject, method, adapter).map_err(|error| match (error, adapter) {
             (RenderError::NoGpu(_), AdapterChoice::HardwareOnly) => {
-                format!("there is no graphics adapter of real hardware; --methods {name} takes one that is a program")
+                format!(
+                    "there is no graphics adapter of real hardware; --methods {} takes one that is a program",
+                    method.name
+                )
             }
             (RenderError::NoGpu(error), _) => error.to_string(),
             (error, _) => error.to_string(),

@@ -3,6 +3,8 @@
 use super::{chart, check, export, fly, info, new, render, thin};
 use crate::renderer::RendererChoice;
 use clap::Parser;
+use cloudwright_core::method::{self, METHODS, Method};
+use cloudwright_core::spelling::closest;
 use std::path::PathBuf;
 
 #[derive(Debug, Parser)]
@@ -83,6 +85,16 @@ pub(super) fn samples_side(text: &str) -> Result<u32, String> {
         .ok_or_else(|| "use a square number: 1, 4, 9, 16, 25, 36, 49 or 64".into())
 }
 
+/// A way to draw, by its name.
+pub(super) fn method(text: &str) -> Result<&'static Method, String> {
+    let name = text.trim();
+    method::named(name).ok_or_else(|| {
+        let names = METHODS.iter().map(|method| method.name);
+        let nearest = closest(name, names.clone()).map(|name| format!("did you mean `{name}`? ")).unwrap_or_default();
+        format!("there is no such method; {nearest}the methods are {}", names.collect::<Vec<_>>().join(", "))
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -106,6 +118,10 @@ mod tests {
         assert_eq!(share("0.02"), Ok(0.02));
         for bad in ["-0.1", "1.1", "NaN", "2 %", ""] {
             assert!(share(bad).is_err(), "{bad}");
+        }
+        assert_eq!(method(" half").map(|method| method.name), Ok("half"));
+        for (bad, wanted) in [("turth", "did you mean `truth`?"), ("", "truth, fast"), ("Fast", "the methods are")] {
+            assert!(method(bad).is_err_and(|said| said.contains(wanted)), "{bad}");
         }
         assert_eq!(samples_side("16"), Ok(4));
         for bad in ["0", "2", "15", "81", "-4", "four"] {

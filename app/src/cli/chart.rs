@@ -17,7 +17,7 @@ use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::method::{self, METHODS};
+use cloudwright_core::method::{self, METHODS, Method};
 use cloudwright_core::scene::Scene;
 use cloudwright_render::AdapterChoice;
 use std::fmt::Write;
@@ -42,8 +42,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "NAME")]
     path: Option<String>,
     /// Methods by name, with commas between; all that make a difference if not given
-    #[arg(long, value_name = "A,B,…", value_delimiter = ',')]
-    methods: Vec<String>,
+    #[arg(long, value_name = "A,B,…", value_delimiter = ',', value_parser = arguments::method)]
+    methods: Vec<&'static Method>,
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "640x360", value_parser = arguments::picture_size)]
     size: [u32; 2],

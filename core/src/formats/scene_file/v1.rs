@@ -4,6 +4,7 @@ use super::{FORMAT, syntax_problem, without_place};
 use crate::formats::pretty_json;
 use crate::problem::Problem;
 use crate::scene::Scene;
+use crate::spelling::closest;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -52,9 +53,8 @@ fn hint(path: &str, message: &str) -> String {
     let mut names = message.split('`').skip(1).step_by(2);
     if message.starts_with("unknown field") || message.starts_with("unknown variant") {
         let unknown = names.next().unwrap_or_default();
-        let close = names.map(|name| (strsim::jaro_winkler(unknown, name), name)).filter(|(score, _)| *score > 0.75);
-        return match close.max_by(|a, b| a.0.total_cmp(&b.0)) {
-            Some((_, name)) => format!("did you mean `{name}`?"),
+        return match closest(unknown, names) {
+            Some(name) => format!("did you mean `{name}`?"),
             None => "take it out, or use one of the names listed".into(),
         };
     }
