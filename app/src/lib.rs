@@ -13,6 +13,7 @@ mod panel;
 mod picture_png;
 pub mod renderer;
 pub mod saving;
+mod signals;
 pub mod state;
 pub mod storage;
 mod theme;

@@ -16,14 +16,11 @@ pub enum SaveError {
     Storage(#[from] StorageError),
 }
 
-/// Puts `scene` at `path`, whole or not at all, over what `over` allows; and takes away what killed programs left
-/// beside it. Gives the file's stamp.
+/// Puts `scene` at `path`, whole or not at all, over what `over` allows. Gives the file's stamp.
 ///
 /// # Errors
 /// If it can't be written; what was there before is then untouched.
 pub fn save(scene: &Scene, path: &Path, over: Over) -> Result<Stamp, SaveError> {
     let text = scene_file::write(scene)?;
-    let stamp = storage::write_over(path, text.as_bytes(), over)?;
-    storage::clean_strays(path);
-    Ok(stamp)
+    Ok(storage::write_over(path, text.as_bytes(), over)?)
 }

@@ -115,7 +115,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let png = picture_png::encode(&picture).map_err(|error| {
             Failure::could_not(format!("frame {number} can't be packed: {error}"), "try a smaller --size")
         })?;
-        storage::write_atomic(&frames.file(number), &png)?;
+        storage::write_one_of_many(&frames.file(number), &png)?;
     }
     drop(progress);
     say(&format!("frames: {} drawn, {kept} kept, in {}", numbers.len() - kept, frames.folder.display()));

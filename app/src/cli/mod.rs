@@ -27,6 +27,7 @@ use std::process::ExitCode;
 
 /// Does what `args` say (the first is the program's name), and tells how it went.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
+    crate::signals::fail_at_the_size_limit();
     let arguments = match Arguments::try_parse_from(args) {
         Ok(arguments) => arguments,
         Err(error) => {

@@ -1,20 +1,14 @@
 //! Writing all or nothing.
 //!
 //! The bytes go into a temporary file in the same folder, reach the disk, and only then take the name. Whoever looks
-//! sees the old file or the new one, whole. A failed write leaves nothing; a killed one leaves its temporary file,
-//! which the next save finds unlocked and takes away: whoever writes holds a lock on his, and the system lets go of
-//! the locks of the dead.
+//! sees the old file or the new one, whole. A failed write leaves nothing; a killed one leaves its temporary file, which
+//! the next write into that folder takes away.
 
-use super::{Stamp, StorageError};
+use super::{Stamp, StorageError, leftover};
 use std::fs::{self, File};
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
-
-const STRAY_PREFIX: &str = ".cloudwright-";
-const STRAY_SUFFIX: &str = ".tmp";
-/// Random letters between the two.
-const STRAY_LETTERS: usize = 6;
 
 /// What may be replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,71 +30,75 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
     write_over(path, bytes, Over::Anything).map(drop)
 }
 
+/// As [`write_atomic`], for one file of many in a folder that [`check_writable`] was asked about: what killed programs
+/// left there is not looked for again, as looking through n files n times would take longer than writing them.
+///
+/// # Errors
+/// As [`write_atomic`].
+pub fn write_one_of_many(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
+    write(path, &target_of(path), bytes, Over::Anything).map(drop)
+}
+
 /// As [`write_atomic`], over what `over` allows. Gives the new file's stamp.
 ///
 /// # Errors
 /// As [`write_atomic`], and [`StorageError::InTheWay`].
 pub fn write_over(path: &Path, bytes: &[u8], over: Over) -> Result<Stamp, StorageError> {
+    let target = target_of(path);
+    // First, as it may make the space that is needed.
+    leftover::sweep(folder_of(&target));
+    write(path, &target, bytes, over)
+}
+
+/// Whether [`write_atomic`] could write there: asked before work that takes long. Takes away what killed programs left in
+/// that folder, and leaves nothing behind.
+///
+/// # Errors
+/// As [`write_atomic`], but for a full disk.
+pub fn check_writable(path: &Path) -> Result<(), StorageError> {
+    let target = target_of(path);
+    leftover::sweep(folder_of(&target));
+    temporary_beside(path, &target).map(drop)
+}
+
+/// The file itself: a link is written through, not replaced.
+fn target_of(path: &Path) -> PathBuf {
+    fs::canonicalize(path).unwrap_or_else(|_| path.into())
+}
+
+fn write(path: &Path, target: &Path, bytes: &[u8], over: Over) -> Result<Stamp, StorageError> {
     let fail = |error: io::Error| StorageError::write(path, &error);
-    // A link is written through, not replaced.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
     let in_the_way = |reason: &str| StorageError::InTheWay { path: path.into(), reason: reason.into() };
     let taken = "there is a file of that name already";
     match over {
-        Over::Nothing if fs::symlink_metadata(&target).is_ok() => return Err(in_the_way(taken)),
+        Over::Nothing if fs::symlink_metadata(target).is_ok() => return Err(in_the_way(taken)),
         // One that is gone can be written anew: nothing is lost.
-        Over::Known(known) if Stamp::of(&target).is_some_and(|stamp| stamp != known) => {
+        Over::Known(known) if Stamp::of(target).is_some_and(|stamp| stamp != known) => {
             return Err(in_the_way("another program changed it"));
         }
         _ => {}
     }
-    let mut file = temporary_beside(path, &target)?;
+    let mut file = temporary_beside(path, target)?;
     file.write_all(bytes).map_err(fail)?;
-    if let Ok(before) = fs::metadata(&target) {
+    if let Ok(before) = fs::metadata(target) {
         file.as_file().set_permissions(before.permissions()).map_err(fail)?;
     }
     file.as_file().sync_all().map_err(fail)?;
     // Taken before the name: what another program puts there later has another.
     let stamp = file.as_file().metadata().map(|about| Stamp::from_metadata(&about)).map_err(fail)?;
     let persisted = match over {
-        Over::Nothing => file.persist_noclobber(&target),
-        Over::Anything | Over::Known(_) => file.persist(&target),
+        Over::Nothing => file.persist_noclobber(target),
+        Over::Anything | Over::Known(_) => file.persist(target),
     };
     persisted.map_err(|error| match error.error.kind() {
         io::ErrorKind::AlreadyExists => in_the_way(taken),
         _ => fail(error.error),
     })?;
     // The name itself reaches the disk with its folder. A system that can't do that has written the file all the same.
-    if let Ok(folder) = File::open(folder_of(&target)) {
+    if let Ok(folder) = File::open(folder_of(target)) {
         let _ = folder.sync_all();
     }
     Ok(stamp)
-}
-
-/// Whether [`write_atomic`] could write there: asked before work that takes long. Leaves nothing behind.
-///
-/// # Errors
-/// As [`write_atomic`], but for a full disk.
-pub fn check_writable(path: &Path) -> Result<(), StorageError> {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-    temporary_beside(path, &target).map(drop)
-}
-
-/// Takes away what killed writers left in the folder of `path`. Those that are being written are locked, and stay.
-pub fn clean_strays(path: &Path) {
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.into());
-    let Ok(entries) = fs::read_dir(folder_of(&target)) else { return };
-    for entry in entries.flatten().filter(|entry| is_stray_name(&entry.file_name().to_string_lossy())) {
-        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-        if is_file && File::open(entry.path()).is_ok_and(|file| file.try_lock().is_ok()) {
-            let _ = fs::remove_file(entry.path());
-        }
-    }
-}
-
-fn is_stray_name(name: &str) -> bool {
-    let letters = name.strip_prefix(STRAY_PREFIX).and_then(|rest| rest.strip_suffix(STRAY_SUFFIX));
-    letters.is_some_and(|l| l.len() == STRAY_LETTERS && l.bytes().all(|b| b.is_ascii_alphanumeric()))
 }
 
 fn temporary_beside(path: &Path, target: &Path) -> Result<NamedTempFile, StorageError> {
@@ -127,21 +125,18 @@ fn temporary_beside(path: &Path, target: &Path) -> Result<NamedTempFile, Storage
     }
     loop {
         let mut builder = tempfile::Builder::new();
-        builder.prefix(STRAY_PREFIX).suffix(STRAY_SUFFIX).rand_bytes(STRAY_LETTERS);
+        builder.prefix(leftover::PREFIX).suffix(leftover::SUFFIX).rand_bytes(leftover::LETTERS);
         // Temporary files are private by default; this one becomes a file like any other, as the user's mask says.
         #[cfg(unix)]
         builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
         let file = builder.tempfile_in(folder_of(target)).map_err(|error| StorageError::write(path, &error))?;
-        // On a disk without locks it stays unlocked, but there nobody cleans up either.
-        let _ = file.as_file().lock();
-        // Between its making and its lock it may have been taken for a stray.
-        if file.path().exists() {
+        if leftover::hold(file.as_file(), file.path()) {
             return Ok(file);
         }
     }
 }
 
-pub(super) fn folder_of(path: &Path) -> &Path {
+fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }
 
@@ -193,23 +188,5 @@ mod tests {
         assert_eq!(read(&path, 9).expect("readable"), b"second");
         fs::remove_file(&path).expect("there");
         write_over(&path, b"three", Over::Known(second)).expect("nothing is lost");
-    }
-
-    #[test]
-    fn strays_go_and_all_else_stays() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let put = |name: &str| fs::write(folder.path().join(name), b"x").expect("writable");
-        for name in [".cloudwright-a1B2c3.tmp", ".cloudwright-notes", ".cloudwright-a1B2c3d.tmp", "a.tmp"] {
-            put(name);
-        }
-        let path = folder.path().join("a.txt");
-        let being_written = temporary_beside(&path, &path).expect("writable");
-        clean_strays(&path);
-        assert!(being_written.path().exists());
-        drop(being_written);
-        let entries = fs::read_dir(folder.path()).expect("readable");
-        let mut left: Vec<_> = entries.map(|entry| entry.expect("readable").file_name()).collect();
-        left.sort();
-        assert_eq!(left, [".cloudwright-a1B2c3d.tmp", ".cloudwright-notes", "a.tmp"]);
     }
 }

@@ -59,6 +59,7 @@ fn write_hint(error: &io::Error) -> &'static str {
         io::ErrorKind::NotADirectory => "a part of the path is a file; choose a folder",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => "choose a folder that you may write to",
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make space, or choose another disk",
+        io::ErrorKind::FileTooLarge => "raise the limit of a file's size, or choose another disk",
         _ => "choose another place",
     }
 }

@@ -1,18 +1,20 @@
 //! The only file access.
 //!
-//! Reading has a limit, so that a wrong path can't fill the memory. Writing is `atomic`. What the program remembers
+//! Reading has a limit, so that a wrong path can't fill the memory. Writing is `atomic`; what a killed program left of it
+//! is a `leftover`. What the program remembers
 //! for a user lies in his [`Folders`]: `settings`, and what `recovery` needs after a crash. A [`Stamp`] tells
 //! whether a file is still the one that was read or written; a [`Watcher`] looks at one every now and then.
 
 mod atomic;
 mod error;
 mod folders;
+mod leftover;
 mod recovery;
 mod settings;
 mod stamp;
 mod watcher;
 
-pub use atomic::{Over, check_writable, clean_strays, write_atomic, write_over};
+pub use atomic::{Over, check_writable, write_atomic, write_one_of_many, write_over};
 pub use error::StorageError;
 pub use folders::Folders;
 pub use recovery::{Orphan, RecoverySlot, Rescue, orphans};

@@ -5,7 +5,7 @@
 //! editor ends, so a slot that can be locked is an orphan. Whoever finds it holds it, and no second editor offers the
 //! same.
 
-use super::{Folders, StorageError, clean_strays, read, write_atomic};
+use super::{Folders, StorageError, leftover, read, write_atomic};
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -90,15 +90,12 @@ impl RecoverySlot {
     pub fn claim(folders: &Folders) -> Result<Self, StorageError> {
         let folder = folder(folders);
         fs::create_dir_all(&folder).map_err(|error| StorageError::write(&folder, &error))?;
-        let start_ns = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default().as_nanos();
-        let rescue = folder.join(format!("{}-{start_ns}.rescue", std::process::id()));
-        let lock_path = rescue.with_extension("lock");
         loop {
-            let lock = File::create(&lock_path).map_err(|error| StorageError::write(&lock_path, &error))?;
-            // On a disk without locks there is a slot, but nobody will find it by itself.
-            let _ = lock.try_lock();
-            // Between its making and its locking it may have been taken for an orphan.
-            if lock_path.exists() {
+            let now_ns = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default().as_nanos();
+            let rescue = folder.join(format!("{}-{now_ns}.rescue", std::process::id()));
+            let lock_path = rescue.with_extension("lock");
+            let lock = File::create_new(&lock_path).map_err(|error| StorageError::write(&lock_path, &error))?;
+            if leftover::hold(&lock, &lock_path) {
                 return Ok(Self { rescue, _lock: lock });
             }
         }
@@ -119,7 +116,7 @@ impl RecoverySlot {
 /// What editors left that ended without saving, the latest first. Slots without a rescue are cleared away.
 pub fn orphans(folders: &Folders) -> Vec<Orphan> {
     let folder = folder(folders);
-    clean_strays(&folder.join("any"));
+    leftover::sweep(&folder);
     let Ok(entries) = fs::read_dir(&folder) else { return Vec::new() };
     let locks =
         entries.flatten().map(|entry| entry.path()).filter(|path| path.extension().is_some_and(|e| e == "lock"));
@@ -129,8 +126,7 @@ pub fn orphans(folders: &Folders) -> Vec<Orphan> {
 }
 
 fn orphan(lock_path: &Path) -> Option<Orphan> {
-    let lock = File::options().write(true).open(lock_path).ok()?;
-    lock.try_lock().ok()?;
+    let lock = leftover::claim(lock_path)?;
     let slot = RecoverySlot { rescue: lock_path.with_extension("rescue"), _lock: lock };
     if !slot.rescue.exists() {
         slot.clear();

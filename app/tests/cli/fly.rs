@@ -13,7 +13,7 @@ fn flight() -> Value {
 }
 
 /// A folder with a scene of one flight, `west`, and a path of one key, `still`.
-fn place() -> Place {
+pub(crate) fn place() -> Place {
     let place = Place::new();
     let mut still = flight();
     (still["id"], still["name"]) = (json!(902), json!("still"));

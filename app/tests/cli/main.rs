@@ -11,6 +11,7 @@ mod bad_scenes;
 mod chart;
 mod fly;
 mod gpu;
+mod killed;
 mod new;
 mod pictures;
 mod scenes;
