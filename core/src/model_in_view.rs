@@ -1,11 +1,12 @@
 //! Aircraft as one eye sees them at one moment.
 
 use crate::flight::PathCurve;
+use crate::formats::model_glb;
 use crate::model_mesh::ModelMesh;
 use crate::scene::{Aircraft, Scene};
 use glam::{DVec3, Quat, Vec3};
 use std::collections::BTreeMap;
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// A mesh and where it is. Only the GPU renderer draws it; those of the CPU leave it out.
 #[derive(Debug, Clone)]
@@ -20,11 +21,22 @@ pub struct ModelInView {
     pub scale: f32,
 }
 
+static BUILT_IN: LazyLock<Arc<ModelMesh>> = LazyLock::new(|| {
+    // The file is checked in and read by a test of its own; an unreadable one would show as no aircraft.
+    let read = model_glb::read(include_bytes!("../../assets/models/aircraft.glb"));
+    Arc::new(read.unwrap_or_else(|_| ModelMesh::new(Vec::new())))
+});
+
 /// The shapes of aircraft that have a file of their own, by its name.
 #[derive(Debug, Clone, Default)]
 pub struct Meshes(BTreeMap<String, Arc<ModelMesh>>);
 
 impl Meshes {
+    /// The light aircraft that ships with Cloudwright (assets/models/aircraft.glb).
+    pub fn built_in() -> Arc<ModelMesh> {
+        Arc::clone(&BUILT_IN)
+    }
+
     /// The shape of the file of that name.
     pub fn insert(&mut self, name: String, mesh: ModelMesh) {
         self.0.insert(name, Arc::new(mesh));
@@ -33,7 +45,7 @@ impl Meshes {
     /// That of `aircraft`; the built-in one stands in for a file that isn't here.
     fn of(&self, aircraft: &Aircraft) -> Arc<ModelMesh> {
         let own = aircraft.model.as_ref().and_then(|name| self.0.get(name));
-        own.map_or_else(ModelMesh::built_in, Arc::clone)
+        own.map_or_else(Self::built_in, Arc::clone)
     }
 }
 

@@ -5,10 +5,8 @@
 //! is north for a model that is not turned. The origin is where the aircraft is on its path.
 
 use crate::color::Rgb;
-use crate::formats::model_glb;
 use crate::version::Version;
 use glam::Vec3;
-use std::sync::{Arc, LazyLock};
 
 /// A corner of a triangle.
 #[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
@@ -29,22 +27,11 @@ pub struct ModelMesh {
     version: Version,
 }
 
-static BUILT_IN: LazyLock<Arc<ModelMesh>> = LazyLock::new(|| {
-    // The file is checked in and read by a test of its own; an unreadable one would show as no aircraft.
-    let read = model_glb::read(include_bytes!("../../assets/models/aircraft.glb"));
-    Arc::new(read.unwrap_or_else(|_| ModelMesh::new(Vec::new())))
-});
-
 impl ModelMesh {
     /// From vertices, three a triangle; one or two left over at the end are dropped.
     pub fn new(mut vertices: Vec<ModelVertex>) -> Self {
         vertices.truncate(vertices.len() / 3 * 3);
         Self { vertices, version: Version::fresh() }
-    }
-
-    /// The light aircraft that ships with Cloudwright (assets/models/aircraft.glb).
-    pub fn built_in() -> Arc<Self> {
-        Arc::clone(&BUILT_IN)
     }
 
     /// Three a triangle.

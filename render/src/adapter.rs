@@ -91,7 +91,7 @@ fn found(labels: &[String]) -> String {
 
 /// Blending into 16-bit floats is optional in OpenGL ES 3.0.
 fn fit(adapter: &wgpu::Adapter) -> Result<(), GpuError> {
-    let features = adapter.get_texture_format_features(crate::texture::LINEAR_FORMAT);
+    let features = adapter.get_texture_format_features(crate::format::LINEAR_FORMAT);
     let can = features.allowed_usages.contains(wgpu::TextureUsages::RENDER_ATTACHMENT)
         && features.flags.contains(wgpu::TextureFormatFeatureFlags::BLENDABLE);
     if can {

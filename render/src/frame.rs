@@ -12,6 +12,7 @@
 
 use crate::atlas_texture::AtlasTexture;
 use crate::cloud_data::CloudData;
+use crate::format::{DEPTH_FORMAT, DISPLAY_FORMAT, LINEAR_FORMAT};
 use crate::frame_uniform::FrameUniform;
 use crate::model_data::ModelData;
 use crate::pass::FrameBinding;
@@ -21,7 +22,7 @@ use crate::pass::sky::SkyPass;
 use crate::pass::sprites::SpritesPass;
 use crate::pass::tone_map::ToneMapPass;
 use crate::pass::veil::VeilPass;
-use crate::texture::{DEPTH_FORMAT, DISPLAY_FORMAT, LINEAR_FORMAT, Target};
+use crate::texture::Target;
 use crate::{Gpu, RenderError};
 use cloudwright_core::frame::Frame;
 

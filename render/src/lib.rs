@@ -19,6 +19,7 @@ mod buffer;
 mod cloud_data;
 mod error;
 mod fault;
+mod format;
 mod frame;
 mod frame_uniform;
 mod gpu;

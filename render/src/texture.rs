@@ -2,13 +2,6 @@
 
 use crate::{Gpu, RenderError};
 
-/// The target that sprites are blended in: linear, premultiplied.
-pub(crate) const LINEAR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
-/// How near the models are: 1 at the near plane, 0 at infinity.
-pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-/// The finished picture; its values are sRGB-encoded already.
-pub(crate) const DISPLAY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
-
 /// A data texture's rows have 2 to this many texels: every device has textures that wide.
 pub(crate) const DATA_ROW_BITS: u32 = 11;
 const DATA_ROW: usize = 1 << DATA_ROW_BITS;

@@ -5,29 +5,9 @@
 //! broken off goes on at the place where it stopped.
 
 use super::easel::Shot;
-use super::report::{Error, Figure, Method, Stability};
+use super::report::{Error, Figure, FrameFigures, Method, Stability};
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip, linear_error, opacity_error};
-use serde::{Deserialize, Serialize};
-
-/// One frame by one method, against the truth.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct FrameFigures {
-    /// Of the scene's clock, seconds: since a path's start.
-    pub at_s: f64,
-    /// Wall time of drawing it, once, for figures; what a method costs is measured apart, but for the truth.
-    pub drawn_ms: Figure,
-    /// How much there is to see in it: the standard deviation of the truth's green, 0 to ½ of what a display shows. It
-    /// helps to choose the frame that the page shows.
-    #[serde(default)]
-    pub contrast: f64,
-    /// What it gets wrong.
-    pub error: Error,
-    /// Mean excess change to the next frame; none for a still.
-    pub excess_mean: Figure,
-    /// What 999 of 1000 pixels don't exceed of it.
-    pub excess_p999: Figure,
-}
 
 impl FrameFigures {
     /// Compares what a method drew with the truth: a frame, and along a path the next one.

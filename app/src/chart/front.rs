@@ -3,7 +3,7 @@
 //! A method is on the front if none is at most as dear and at most as wrong, and better in one of the two. Methods with
 //! the same two figures stay on it together; one without figures is never on it. The idea is Vilfredo Pareto's (1896).
 
-use super::report::Method;
+use super::report::{Method, Report};
 
 /// Costs within this factor are one cost: medians of wall times are no steadier.
 const SAME_COST: f64 = 1.1;
@@ -30,6 +30,16 @@ pub fn front(points: &[Option<[f64; 2]>]) -> Vec<bool> {
         on_front[i] = point == last;
     }
     on_front
+}
+
+impl Report {
+    /// Sets [`Method::on_front`] by frame time and mean FLIP.
+    pub fn mark_front(&mut self) {
+        let points: Vec<_> = self.methods.iter().map(Method::choice).collect();
+        for (method, on_front) in self.methods.iter_mut().zip(front(&points)) {
+            method.on_front = on_front;
+        }
+    }
 }
 
 /// The corners of the front as a stepped line, from `top`, where errors end, to `right`, where costs do; of `best`, the

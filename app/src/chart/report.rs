@@ -3,8 +3,6 @@
 //! The structs are the file: a field here is a field there, in this order, after a head that names format and version.
 //! Times are milliseconds; errors and stability are those of `cloudwright_core::measure`, none of which has a unit.
 
-use super::frame_figures::FrameFigures;
-use super::front;
 use cloudwright_core::formats::pretty_json;
 use cloudwright_core::problem::Problem;
 use serde::{Deserialize, Serialize};
@@ -133,6 +131,25 @@ pub struct Stability {
     pub worst_frame: Figure,
 }
 
+/// One frame by one method, against the truth.
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+pub struct FrameFigures {
+    /// Of the scene's clock, seconds: since a path's start.
+    pub at_s: f64,
+    /// Wall time of drawing it, once, for figures; what a method costs is measured apart, but for the truth.
+    pub drawn_ms: Figure,
+    /// How much there is to see in it: the standard deviation of the truth's green, 0 to ½ of what a display shows. It
+    /// helps to choose the frame that the page shows.
+    #[serde(default)]
+    pub contrast: f64,
+    /// What it gets wrong.
+    pub error: Error,
+    /// Mean excess change to the next frame; none for a still.
+    pub excess_mean: Figure,
+    /// What 999 of 1000 pixels don't exceed of it.
+    pub excess_p999: Figure,
+}
+
 /// A method that could not be measured.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct LeftOut {
@@ -161,16 +178,6 @@ impl Method {
 
 fn finite(cost: Figure, error: Figure) -> Option<[f64; 2]> {
     Some([cost?, error?]).filter(|point| point.iter().all(|x| x.is_finite()))
-}
-
-impl Report {
-    /// Sets [`Method::on_front`] by frame time and mean FLIP.
-    pub fn mark_front(&mut self) {
-        let points: Vec<_> = self.methods.iter().map(Method::choice).collect();
-        for (method, on_front) in self.methods.iter_mut().zip(front::front(&points)) {
-            method.on_front = on_front;
-        }
-    }
 }
 
 #[derive(Serialize)]

@@ -5,9 +5,9 @@
 //! count. If one is missing, all are taken anew. The truth is timed as it is drawn for the errors, once at each place.
 
 use super::easel::{Easel, Shot, Times};
-use super::frame_figures::{FrameFigures, mean};
+use super::frame_figures::mean;
 use super::gallery::Gallery;
-use super::report::{Cost, Counts, Figure, LeftOut, Method, Report};
+use super::report::{Cost, Counts, Figure, FrameFigures, LeftOut, Method, Report};
 use super::subject::Subject;
 use crate::renderer::RenderError;
 use cloudwright_core::image::Picture;

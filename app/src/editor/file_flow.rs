@@ -6,19 +6,12 @@
 use super::Editor;
 use super::dialogs::Dialog;
 use super::files::{Ask, Reply, Waiting};
+use super::intent::Intent;
 use crate::opening::{self, OpenError};
 use crate::state::{Session, ViewState, starter_scene};
 use crate::storage::Stamp;
 use cloudwright_core::formats::scene_file;
 use std::path::{Path, PathBuf};
-
-/// Something that leaves the present document.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(crate) enum Intent {
-    New,
-    OpenFile(PathBuf),
-    Quit,
-}
 
 impl Editor {
     /// The file's name, or the scene's.

@@ -4,10 +4,11 @@
 //! saved one, and what was edited meanwhile stays modified. What was to follow (closing, a new scene) waits for it. A
 //! file that is not the one last known is not replaced without a question.
 
+use super::Editor;
 use super::desk::Done;
 use super::dialogs::Dialog;
 use super::files::{self, Ask};
-use super::{Editor, Intent};
+use super::intent::Intent;
 use crate::saving::{self, SaveError};
 use crate::storage::{Over, Stamp, StorageError};
 use cloudwright_core::document::SavedMark;

@@ -1,6 +1,10 @@
-//! The house's absences (ARCHITECTURE, invariants 1 and 2).
+//! The house's absences, and its floors (ARCHITECTURE, invariants 1 and 2).
+
+mod imports;
+mod words;
 
 use cloudwright_tests::root;
+use imports::Imports;
 use std::fs;
 use std::path::Path;
 
@@ -65,4 +69,41 @@ fn only_storage_touches_files() {
             assert!(!code.collect::<String>().contains(word), "{path}: {word} belongs in storage/");
         }
     }
+}
+
+/// The rooms of app from above: none imports from a room above it, nor from another one beside it.
+const APP: [&[&str]; 9] = [
+    &["cli"],
+    &["editor"],
+    &["panel", "viewport"],
+    &["widget"],
+    &["state"],
+    &["saving"],
+    &["opening"],
+    &["chart", "command", "storage", "thumbnail"],
+    &["picture_png", "renderer", "theme", "units", "worker"],
+];
+
+#[test]
+fn no_import_in_app_runs_back() {
+    let imports = Imports::of(&root().join("app/src"));
+    let room = |file: &str| file.split(['/', '.']).next().unwrap_or_default().to_string();
+    let floor = |file: &str| APP.iter().position(|rooms| rooms.contains(&room(file).as_str()));
+    for (from, to, path) in imports.iter().filter(|(from, to, _)| ![*from, *to].contains(&"lib.rs")) {
+        let [Some(own), Some(other)] = [floor(from), floor(to)] else {
+            panic!("{from} or {to} has no floor in APP");
+        };
+        assert!(own < other || room(from) == room(to), "app/src/{from} imports {path}, which is no floor below");
+    }
+}
+
+#[test]
+fn no_files_import_each_other_in_a_circle() {
+    let mut circles = String::new();
+    for package in ["core", "render", "app"] {
+        let imports = Imports::of(&root().join(package).join("src"));
+        assert!(imports.iter().count() > 0, "nothing imports anything in {package}");
+        circles.extend(imports.circles().iter().map(|circle| format!("in {package}, {circle}")));
+    }
+    assert!(circles.is_empty(), "{circles}");
 }

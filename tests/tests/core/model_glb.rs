@@ -2,7 +2,8 @@
 
 use cloudwright_core::color::Rgb;
 use cloudwright_core::formats::model_glb::{MAX_BYTES, MAX_REACH_M, ModelError, read};
-use cloudwright_core::model_mesh::{ModelMesh, ModelVertex};
+use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::model_mesh::ModelVertex;
 use cloudwright_tests::authoring::aircraft;
 use glam::Vec3;
 use proptest::prelude::*;
@@ -146,7 +147,7 @@ fn what_is_no_model_is_refused_with_a_reason() {
 
 #[test]
 fn the_shipped_aircraft_is_of_its_size() {
-    let mesh = ModelMesh::built_in();
+    let mesh = Meshes::built_in();
     let triangles = mesh.vertices().len() / 3;
     assert!((300..2000).contains(&triangles), "{triangles} triangles");
     let reduce = |f: fn(Vec3, Vec3) -> Vec3| mesh.vertices().iter().map(|v| v.position).reduce(f).expect("vertices");

@@ -5,7 +5,7 @@ use super::{BACKGROUND, CLOUDS_LARGEST, CLOUDS_MEAN, Outcome, ensure, place};
 use cloudwright_core::color::{Premultiplied, Rgb};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::LinearPicture;
-use cloudwright_core::model_in_view::ModelInView;
+use cloudwright_core::model_in_view::{Meshes, ModelInView};
 use cloudwright_core::model_mesh::{ModelMesh, ModelVertex};
 use cloudwright_core::raster::prepare;
 use cloudwright_core::sky::haze_share;
@@ -165,7 +165,7 @@ fn clouds_alone(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
 fn around_the_eye(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     level_north(|frame| {
         let from_eye = Vec3::new(0.3, -0.35, 0.1);
-        let aircraft = ModelInView { mesh: ModelMesh::built_in(), from_eye, turn: Quat::IDENTITY, scale: 1.0 };
+        let aircraft = ModelInView { mesh: Meshes::built_in(), from_eye, turn: Quat::IDENTITY, scale: 1.0 };
         let cockpit = Frame { models: vec![aircraft], ..frame.clone() };
         let (outside, inside) = (renderer.linear_picture(gpu, frame)?, renderer.linear_picture(gpu, &cockpit)?);
         ensure(outside != inside, "nothing of the aircraft shows")?;

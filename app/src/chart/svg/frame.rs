@@ -1,6 +1,6 @@
 //! What stands still in a chart: grid, scales, rails, titles, legend, tolerance.
 
-use super::marks;
+use super::shape::shape;
 use super::{Sheet, text_width};
 use crate::chart::labels::Rect;
 use crate::chart::{Family, text};
@@ -77,7 +77,7 @@ fn legend(sheet: &Sheet<'_>, out: &mut String) {
     let y = text * 1.5;
     for family in Family::ALL.into_iter().filter(|family| plot.marks.iter().any(|mark| mark.family == *family)) {
         let name = family.name();
-        marks::shape(out, family, [x + text * 0.5, y - text * 0.35], text * 0.4);
+        shape(out, family, [x + text * 0.5, y - text * 0.35], text * 0.4);
         words(out, "soft", [x + text * 1.6, y], (small, "start"), name);
         x += text * 2.6 + text_width(name, small);
     }

@@ -6,6 +6,7 @@
 
 mod frame;
 mod marks;
+mod shape;
 
 use super::labels::Rect;
 use super::log_axis::LogAxis;

@@ -10,8 +10,9 @@ mod recent;
 mod recovery;
 mod trouble;
 
+use super::Editor;
 use super::files::Ask;
-use super::{Editor, Intent};
+use super::intent::Intent;
 use crate::storage::{Orphan, Over};
 use crate::theme;
 use cloudwright_core::problem::Problem;

@@ -7,7 +7,7 @@ mod shade;
 mod view;
 
 use super::dialogs::Dialog;
-use super::file_flow::Intent;
+use super::intent::Intent;
 use super::{Ask, Editor};
 use crate::command::Command;
 use crate::panel::Panel;

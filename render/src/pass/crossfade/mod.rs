@@ -1,7 +1,8 @@
 //! The picture in the order that fades out, mixed into the one in the newest order (W's suggestion against popping).
 
 use super::{FrameBinding, begin, full_screen_pipeline, picture_layout};
-use crate::texture::{LINEAR_FORMAT, Target};
+use crate::format::LINEAR_FORMAT;
+use crate::texture::Target;
 use crate::{Gpu, shader};
 
 #[derive(Debug)]

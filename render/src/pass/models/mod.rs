@@ -5,8 +5,8 @@
 //! leaves it half a metre there.
 
 use super::{FrameBinding, begin};
+use crate::format::{DEPTH_FORMAT, LINEAR_FORMAT};
 use crate::model_data::{ModelData, Placed};
-use crate::texture::{DEPTH_FORMAT, LINEAR_FORMAT};
 use crate::{Gpu, shader};
 use cloudwright_core::model_mesh::ModelVertex;
 

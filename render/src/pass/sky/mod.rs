@@ -1,7 +1,7 @@
 //! The background: sky dome, sun's disc, ground and haze, in one triangle that covers the picture.
 
 use super::{FrameBinding, begin, full_screen_pipeline};
-use crate::texture::LINEAR_FORMAT;
+use crate::format::LINEAR_FORMAT;
 use crate::{Gpu, shader};
 
 #[derive(Debug)]

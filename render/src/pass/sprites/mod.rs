@@ -8,7 +8,8 @@ use super::{FrameBinding, begin};
 use crate::atlas_texture::AtlasTexture;
 use crate::buffer::VertexBuffer;
 use crate::cloud_data::{CloudData, Instance};
-use crate::texture::{LINEAR_FORMAT, Target};
+use crate::format::LINEAR_FORMAT;
+use crate::texture::Target;
 use crate::{Gpu, shader};
 
 #[derive(Debug)]

@@ -1,7 +1,8 @@
 //! From linear light to what a display shows: exposure, tone curve, sRGB and dither.
 
 use super::{FrameBinding, begin, full_screen_pipeline, picture_layout};
-use crate::texture::{DISPLAY_FORMAT, Target};
+use crate::format::DISPLAY_FORMAT;
+use crate::texture::Target;
 use crate::{Gpu, shader};
 
 #[derive(Debug)]

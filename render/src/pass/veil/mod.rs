@@ -1,7 +1,7 @@
 //! The air inside a cloud, before everything: one colour over the whole picture.
 
 use super::{FrameBinding, begin, full_screen_pipeline};
-use crate::texture::LINEAR_FORMAT;
+use crate::format::LINEAR_FORMAT;
 use crate::{Gpu, shader};
 
 #[derive(Debug)]

@@ -1,0 +1,8 @@
+//! What the targets of a frame hold for each pixel.
+
+/// The target that sprites are blended in: linear, premultiplied.
+pub(crate) const LINEAR_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+/// How near the models are: 1 at the near plane, 0 at infinity.
+pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+/// The finished picture; its values are sRGB-encoded already.
+pub(crate) const DISPLAY_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
