@@ -1,60 +1,7 @@
-//! What may stand on the command line, and how single values are read.
+//! How single values of the command line are read.
 
-use super::{chart, check, export, fly, info, new, render, thin};
-use crate::renderer::RendererChoice;
-use clap::Parser;
 use cloudwright_core::method::{self, METHODS, Method};
 use cloudwright_core::spelling::closest;
-use std::path::PathBuf;
-
-#[derive(Debug, Parser)]
-#[command(
-    name = "cloudwright",
-    version,
-    about = "An editor for clouds made of sprites, and its command line",
-    args_conflicts_with_subcommands = true,
-    disable_help_subcommand = true,
-    after_help = "Examples:
-  cloudwright                                   open the editor on a new scene
-  cloudwright fair_weather.cloudscene           open the editor on that scene
-  cloudwright new sky.cloudscene
-  cloudwright render fair_weather.cloudscene -o sky.png
-  cloudwright fly fair_weather.cloudscene --path through -o through.mp4
-  cloudwright chart fair_weather.cloudscene -o chart
-  cloudwright check *.cloudscene
-
-Exit codes: 0 done, 1 problems found, 2 unusable input, 3 could not do it."
-)]
-pub(super) struct Arguments {
-    /// Scene to open in the editor; a new one if there is none
-    #[arg(value_name = "SCENE")]
-    pub(super) scene: Option<PathBuf>,
-    /// What draws the editor's viewport
-    #[arg(long, value_enum, default_value_t)]
-    pub(super) renderer: RendererChoice,
-    #[command(subcommand)]
-    pub(super) command: Option<Subcommand>,
-}
-
-#[derive(Debug, clap::Subcommand)]
-pub(super) enum Subcommand {
-    /// Write a new scene
-    New(new::Arguments),
-    /// Draw a scene as a PNG
-    Render(render::Arguments),
-    /// Draw a flight along a camera path, as PNG files or a video
-    Fly(fly::Arguments),
-    /// Chart what methods of drawing cost against what they get wrong
-    Chart(chart::Arguments),
-    /// List the problems of scenes
-    Check(check::Arguments),
-    /// Count a scene's models, boxes and sprites
-    Info(info::Arguments),
-    /// Write a scene's sprites for other tools
-    Export(export::Arguments),
-    /// Drop the sprites that a scene can do without
-    Thin(thin::Arguments),
-}
 
 /// Seconds of a scene's clock.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
@@ -98,12 +45,6 @@ pub(super) fn method(text: &str) -> Result<&'static Method, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use clap::CommandFactory;
-
-    #[test]
-    fn the_table_is_sound() {
-        Arguments::command().debug_assert();
-    }
 
     #[test]
     fn values() {

@@ -16,14 +16,15 @@ mod new;
 mod painter;
 mod progress;
 mod render;
+mod table;
 mod thin;
 
-use arguments::{Arguments, Subcommand};
 use clap::Parser;
 use failure::Failure;
 use std::ffi::OsString;
 use std::io::{self, Write};
 use std::process::ExitCode;
+use table::{Arguments, Subcommand};
 
 /// Does what `args` say (the first is the program's name), and tells how it went.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {

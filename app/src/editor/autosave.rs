@@ -4,8 +4,8 @@
 //! and every half minute while changes don't stop; never within a gesture. A save, or an end on purpose, clears it.
 
 use super::Editor;
-use super::desk::Done;
 use super::dialogs::Dialog;
+use super::done::Done;
 use crate::opening::problem_lines;
 use crate::state::Session;
 use crate::storage::{self, Folders, Orphan, Rescue, Stamp};

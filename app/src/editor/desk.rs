@@ -4,11 +4,9 @@
 use super::Editor;
 use super::autosave::AutosaveClock;
 use super::dialogs::Dialog;
-use crate::saving::SaveError;
+use super::done::Done;
 use crate::storage::{Folders, RecoverySlot, Settings, Stamp, StorageError, Watcher};
 use crate::worker::InOrder;
-use cloudwright_core::document::SavedMark;
-use std::path::PathBuf;
 
 /// Files and memory of one editor.
 pub(super) struct Desk {
@@ -24,19 +22,6 @@ pub(super) struct Desk {
     pub(super) known: Option<Stamp>,
     /// Of the window, points.
     pub(super) window_size: Option<[f32; 2]>,
-}
-
-/// What the clerk did.
-pub(super) enum Done {
-    Saved {
-        path: PathBuf,
-        mark: SavedMark,
-        outcome: Result<Stamp, SaveError>,
-    },
-    Rescued(Result<(), StorageError>),
-    Remembered(Result<(), StorageError>),
-    /// The last scenes, and whether each is still there.
-    Recent(Vec<(PathBuf, bool)>),
 }
 
 impl Desk {

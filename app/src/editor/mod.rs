@@ -8,6 +8,7 @@ mod autosave;
 mod charting;
 mod desk;
 mod dialogs;
+mod done;
 mod file_flow;
 mod files;
 mod flight;

@@ -1,7 +1,7 @@
 //! What the editor remembers for the next start: look, units, window, last scenes. The next start reads it in `Editor::new`.
 
 use super::Editor;
-use super::desk::Done;
+use super::done::Done;
 use super::layout::Layout;
 use crate::storage::{self, ThemeChoice};
 use egui::ThemePreference;

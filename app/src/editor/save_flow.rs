@@ -5,8 +5,8 @@
 //! file that is not the one last known is not replaced without a question.
 
 use super::Editor;
-use super::desk::Done;
 use super::dialogs::Dialog;
+use super::done::Done;
 use super::files::{self, Ask};
 use super::intent::Intent;
 use crate::saving::{self, SaveError};

@@ -7,6 +7,7 @@ use cloudwright_tests::root;
 use imports::Imports;
 use std::fs;
 use std::path::Path;
+use words::words;
 
 fn sources(folder: &Path, found: &mut Vec<(String, String)>) {
     for entry in fs::read_dir(folder).expect("a folder of sources").flatten() {
@@ -97,10 +98,38 @@ fn no_import_in_app_runs_back() {
     }
 }
 
+/// Sources of app with one of `names` in them lie in one of `places`, and in each of these are some.
+fn check_confined(names: &[&str], places: &[&str]) {
+    let src = root().join("app/src");
+    let mut found = Vec::new();
+    sources(&src, &mut found);
+    let src = src.display().to_string() + "/";
+    let named: Vec<&str> = found
+        .iter()
+        .filter(|(_, text)| words(text).iter().any(|word| names.contains(word)))
+        .map(|(path, _)| path.trim_start_matches(&src))
+        .collect();
+    for path in &named {
+        assert!(places.iter().any(|place| path.starts_with(place)), "app/src/{path}: {names:?} have no place there");
+    }
+    for place in places {
+        assert!(named.iter().any(|path| path.starts_with(place)), "{place} needs none of {names:?} any more");
+    }
+}
+
+#[test]
+fn window_and_device_are_known_only_where_they_are_needed() {
+    check_confined(&["wgpu"], &["editor/window.rs", "viewport/picture/by_gpu.rs"]);
+    check_confined(
+        &["egui", "eframe"],
+        &["cli/edit.rs", "command/", "editor/", "panel/", "state/", "theme/", "thumbnail.rs", "viewport/", "widget/"],
+    );
+}
+
 #[test]
 fn no_files_import_each_other_in_a_circle() {
     let mut circles = String::new();
-    for package in ["core", "render", "app"] {
+    for package in ["render", "app"] {
         let imports = Imports::of(&root().join(package).join("src"));
         assert!(imports.iter().count() > 0, "nothing imports anything in {package}");
         circles.extend(imports.circles().iter().map(|circle| format!("in {package}, {circle}")));

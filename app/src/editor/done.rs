@@ -1,0 +1,19 @@
+//! What becomes of work on files, which is done off the frame.
+
+use crate::saving::SaveError;
+use crate::storage::{Stamp, StorageError};
+use cloudwright_core::document::SavedMark;
+use std::path::PathBuf;
+
+/// Work on files that was done.
+pub(super) enum Done {
+    Saved {
+        path: PathBuf,
+        mark: SavedMark,
+        outcome: Result<Stamp, SaveError>,
+    },
+    Rescued(Result<(), StorageError>),
+    Remembered(Result<(), StorageError>),
+    /// The last scenes, and whether each is still there.
+    Recent(Vec<(PathBuf, bool)>),
+}
