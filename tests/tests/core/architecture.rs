@@ -82,7 +82,7 @@ const APP: [&[&str]; 9] = [
     &["saving"],
     &["opening"],
     &["chart", "command", "storage", "thumbnail"],
-    &["picture_png", "renderer", "theme", "units", "worker"],
+    &["picture_png", "renderer", "signals", "theme", "units", "visible", "worker"],
 ];
 
 #[test]
