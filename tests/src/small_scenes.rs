@@ -24,6 +24,26 @@ pub fn heap(count: u32) -> Scene {
     sketch.scene
 }
 
+/// `count` small clouds of three models, each with sprites of its own, in a square of 20 km in view of the camera `main`.
+pub fn crowd(count: u32) -> Scene {
+    let mut sketch = Sketch::new("crowd", 7);
+    let models = ["low", "round", "flat"].map(|name| {
+        let mut model = sketch.model(name, Category::CumulusHumilis, 0.2, crate::authoring::heap_levels());
+        sketch.strew(&mut model, "body", Strew { size: DVec3::splat(150.0), count: 24, ..Strew::default() });
+        let id = model.id;
+        sketch.scene.models.push(model);
+        id
+    });
+    let side = f64::from(count).sqrt().ceil() as u32;
+    for index in 0..count {
+        let [x, z] = [index % side, index / side].map(|at| (f64::from(at) / f64::from(side) - 0.5) * 20_000.0);
+        let model = models[index as usize % models.len()];
+        sketch.place(model, "small", DVec3::new(x, 1200.0, z), 0.0, 1.0, Some(u64::from(index)));
+    }
+    sketch.camera("main", DVec3::new(0.0, 1500.0, 12_000.0), DVec3::new(0.0, 1200.0, 0.0), 50.0);
+    sketch.scene
+}
+
 /// A scene of single square sprites, unculled, unturned: each a box of size zero with one sprite of `side` metres.
 pub fn single_sprites(sprites: &[(DVec3, f64)]) -> Scene {
     let mut sketch = Sketch::new("single sprites", 7);

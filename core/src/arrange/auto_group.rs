@@ -154,8 +154,11 @@ mod tests {
         let model = &two_clouds().models[0];
         let mut wide = model.boxes[0].clone();
         wide.sprite_count = 300;
-        let crowd =
-            CloudModel { boxes: vec![wide], cull_radius: crate::scene::CullRadius::Metres(0.0), ..model.clone() };
+        let crowd = CloudModel {
+            boxes: vec![wide].into(),
+            cull_radius: crate::scene::CullRadius::Metres(0.0),
+            ..model.clone()
+        };
         let sprites = populate(&crowd, 1).sprites;
         let as_they_come: Vec<Vec<&Candidate>> = sprites.chunks(30).map(|chunk| chunk.iter().collect()).collect();
         let (got, random) = (spread(&clusters(&sprites)), spread(&as_they_come));

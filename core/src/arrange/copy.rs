@@ -1,6 +1,6 @@
 //! Copies of boxes and groups under ids of their own, with their references among one another.
 
-use crate::scene::{BoxId, CloudBox, CloudModel, GroupId, IdCounter, ModelId, ShadingGroup};
+use crate::scene::{BoxId, CloudBox, CloudModel, GroupId, IdCounter, List, ModelId, ShadingGroup};
 use std::collections::{BTreeMap, BTreeSet};
 
 /// A whole model's copy, called `name`. It looks like the original.
@@ -15,7 +15,7 @@ pub(super) fn copy_parts<'a>(
     groups: impl IntoIterator<Item = &'a ShadingGroup>,
     boxes: impl IntoIterator<Item = &'a CloudBox>,
     counter: &mut IdCounter,
-) -> (Vec<ShadingGroup>, Vec<CloudBox>) {
+) -> (List<ShadingGroup>, List<CloudBox>) {
     let mut new_id: BTreeMap<GroupId, GroupId> = BTreeMap::new();
     let groups = groups.into_iter().map(|group| {
         let id = GroupId::new(counter);

@@ -107,8 +107,8 @@ mod tests {
         ];
         let after = applied(&scene, &things(&scene, &doomed));
         assert_eq!(after.models.len(), 1);
-        assert_eq!(after.clouds, scene.clouds[1..]);
-        assert_eq!(after.cameras, scene.cameras[1..]);
+        assert_eq!(after.clouds.as_slice(), &scene.clouds.as_slice()[1..]);
+        assert_eq!(after.cameras.as_slice(), &scene.cameras.as_slice()[1..]);
         let model = &after.models[0];
         assert_eq!((model.groups.len(), model.boxes.len()), (0, 2));
         let dropped = SpriteEdit { index: 5, moved: None, dropped: true, group: None };
@@ -123,7 +123,7 @@ mod tests {
         (other.id, other.name) = (PathId::new(&mut scene.next_id), "other".into());
         scene.paths.push(other);
         let after = applied(&scene, &things(&scene, &[Thing::Path(scene.paths[0].id)]));
-        assert_eq!((after.paths.as_slice(), after.aircraft.as_slice()), (&scene.paths[1..], &[][..]));
+        assert_eq!((after.paths.as_slice(), after.aircraft.as_slice()), (&scene.paths.as_slice()[1..], &[][..]));
         let after = applied(&scene, &things(&scene, &[Thing::Aircraft(scene.aircraft[0].id)]));
         assert_eq!((after.paths.len(), after.aircraft.len()), (2, 0), "the path stays");
     }

@@ -13,7 +13,7 @@ use super::copy::{copy_model, copy_parts, groups_used};
 use super::duplicate::model_names;
 use super::{Arrangement, ModelSpace, Plan, Refusal, Thing};
 use crate::document::{Edit, ListEdit};
-use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, IdCounter, ModelId, Scene, ShadingGroup};
+use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, IdCounter, List, ModelId, Scene, ShadingGroup};
 use std::collections::BTreeSet;
 
 /// Joins `ids` into the first of them.
@@ -79,7 +79,7 @@ impl Whole<'_> {
         cloud: &Cloud,
         model: &CloudModel,
         counter: &mut IdCounter,
-    ) -> (Vec<ShadingGroup>, Vec<CloudBox>) {
+    ) -> (List<ShadingGroup>, List<CloudBox>) {
         let space = ModelSpace::of(cloud);
         let used = groups_used(&model.boxes);
         let (mut groups, mut boxes) =

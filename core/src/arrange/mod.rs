@@ -29,8 +29,8 @@ pub use names::Names;
 
 use crate::document::{Edit, ListEdit};
 use crate::scene::{
-    AircraftId, BoxId, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, HasId, IdCounter, ModelId, PathId,
-    Scene,
+    AircraftId, BoxId, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, HasId, IdCounter, List, ModelId,
+    PathId, Scene,
 };
 
 /// Something of a scene that can be chosen.
@@ -112,7 +112,7 @@ fn at_end<T: HasId>(value: T) -> ListEdit<T> {
 }
 
 /// Those of `list` that have one of the `ids`, in the list's order, each once.
-fn chosen<'s, T: HasId>(list: &'s [T], ids: &'s [T::Id]) -> impl Iterator<Item = &'s T> {
+fn chosen<'s, T: HasId>(list: &'s List<T>, ids: &'s [T::Id]) -> impl Iterator<Item = &'s T> {
     let ids: std::collections::BTreeSet<T::Id> = ids.iter().copied().collect();
     list.iter().filter(move |each| ids.contains(&each.id()))
 }

@@ -121,7 +121,7 @@ mod tests {
     fn positions(scene: &Scene, places: &Places) -> Vec<DVec3> {
         let arrangement = model(scene, scene.models[0].id, places);
         let after = applied(scene, &arrangement);
-        let new = &after.clouds[scene.clouds.len()..];
+        let new = &after.clouds.as_slice()[scene.clouds.len()..];
         assert_eq!(arrangement.made, new.iter().map(|cloud| Thing::Cloud(cloud.id)).collect::<Vec<_>>());
         assert!(new.iter().all(|cloud| cloud.model == scene.models[0].id));
         new.iter().map(|cloud| cloud.position).collect()
@@ -161,7 +161,7 @@ mod tests {
         let scene = two_clouds();
         let ranges = Places { altitude_spread_m: 400.0, scale: [0.5, 2.0], ..places(Pattern::Strewn, 200) };
         let after = applied(&scene, &model(&scene, scene.models[0].id, &ranges));
-        let new = &after.clouds[scene.clouds.len()..];
+        let new = &after.clouds.as_slice()[scene.clouds.len()..];
         let ends = |values: Vec<f64>| values.into_iter().fold([f64::MAX, f64::MIN], |[a, b], v| [a.min(v), b.max(v)]);
         let [low, high] = ends(new.iter().map(|cloud| cloud.position.y - 1500.0).collect());
         assert!((-200.0..-190.0).contains(&low) && (190.0..200.0).contains(&high), "{low} to {high} m");

@@ -97,7 +97,7 @@ mod tests {
     #[test]
     fn groups_that_none_is_left_in_go_along() {
         let scene = airy();
-        let ids: Vec<_> = scene.models[1].boxes[1..].iter().map(|each| each.id).collect();
+        let ids: Vec<_> = scene.models[1].boxes.as_slice()[1..].iter().map(|each| each.id).collect();
         let after = applied(&scene, &boxes(&scene, scene.clouds[1].id, &ids).expect("a part"));
         assert_eq!((after.models[1].groups.len(), after.models[2].groups.len()), (0, 1));
     }
@@ -109,7 +109,7 @@ mod tests {
         let scene = applied(&scene, &linked);
         let arrangement = boxes(&scene, scene.clouds[1].id, &[scene.models[1].boxes[0].id]).expect("a part");
         let after = applied(&scene, &arrangement);
-        assert_eq!((&after.models[..2], &after.clouds[2]), (&scene.models[..], &scene.clouds[2]));
+        assert_eq!((&after.models.as_slice()[..2], &after.clouds[2]), (&scene.models.as_slice()[..], &scene.clouds[2]));
         let count = |i| placed(&after, i).sprites.len();
         assert_eq!(count(1) + count(3), placed(&scene, 1).sprites.len());
     }

@@ -3,7 +3,7 @@
 use super::{Change, EditError};
 use crate::scene::{
     Aircraft, AircraftId, BoxId, Camera, CameraId, CameraPath, Cloud, CloudBox, CloudId, CloudModel, Ground, GroupId,
-    HasId, IdCounter, ModelId, PathId, Place, Scene, ShadingGroup, Sky, Sun,
+    HasId, IdCounter, List, ModelId, PathId, Place, Scene, ShadingGroup, Sky, Sun,
 };
 
 /// A named value that changes a scene.
@@ -88,20 +88,19 @@ impl Edit {
         let mut change = Change::default();
         match self {
             Self::Ground(_) => change.ground = true,
+            Self::Name(_) | Self::TimeOfDay(_) | Self::Place(_) | Self::Sun(_) | Self::Sky(_) | Self::Atlas(_) => {
+                change.head = true;
+            }
+            Self::NextId(_) => {}
+            Self::Camera(edit) => change.cameras.extend([edit.id()]),
             Self::Model(edit) => change.models.extend([edit.id()]),
             Self::Box(model, _) | Self::Group(model, _) => change.models.extend([*model]),
             Self::Cloud(edit) => change.clouds.extend([edit.id()]),
-            Self::Name(_)
-            | Self::NextId(_)
-            | Self::TimeOfDay(_)
-            | Self::Place(_)
-            | Self::Sun(_)
-            | Self::Sky(_)
-            | Self::Atlas(_)
-            | Self::Camera(_)
-            | Self::Path(_)
-            | Self::Aircraft(_) => {}
+            Self::Path(edit) => change.paths.extend([edit.id()]),
+            Self::Aircraft(edit) => change.aircraft.extend([edit.id()]),
         }
+        // The counter goes with the lists: what they may hold depends on it.
+        change.lists = self.replaces().is_none_or(|part| part == Part::NextId);
         change
     }
 
@@ -177,11 +176,7 @@ pub(super) enum Part {
 }
 
 fn model_mut(scene: &mut Scene, id: ModelId) -> Result<&mut CloudModel, EditError> {
-    scene
-        .models
-        .iter_mut()
-        .find(|model| model.id == id)
-        .ok_or_else(|| EditError::NotFound { kind: "model", id: id.to_string() })
+    scene.models.with_id_mut(id).ok_or_else(|| EditError::NotFound { kind: "model", id: id.to_string() })
 }
 
 impl<T: HasId> ListEdit<T> {
@@ -192,9 +187,9 @@ impl<T: HasId> ListEdit<T> {
         }
     }
 
-    fn apply(self, list: &mut Vec<T>, kind: &'static str) -> Result<Self, EditError> {
+    fn apply(self, list: &mut List<T>, kind: &'static str) -> Result<Self, EditError> {
         let id = self.id();
-        let found = list.iter().position(|value| value.id() == id);
+        let found = list.position(id);
         let missing = || EditError::NotFound { kind, id: id.to_string() };
         Ok(match self {
             Self::Insert { .. } if found.is_some() => {

@@ -57,8 +57,13 @@ pub enum EditError {
         id: String,
     },
     /// The transaction would have left the scene with faults that it did not have before.
-    #[error("{}", .0.iter().map(Problem::to_string).collect::<Vec<_>>().join("; "))]
-    Problems(Vec<Problem>),
+    #[error("{}", .problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("; "))]
+    Problems {
+        /// The faults.
+        problems: Vec<Problem>,
+        /// What the transaction had touched, for whoever followed it step by step.
+        taken_back: Change,
+    },
 }
 
 impl Document {
@@ -100,22 +105,31 @@ impl Document {
     pub fn commit(&mut self) -> Result<(), EditError> {
         let Some(mut point) = self.open.take().map(Transaction::into_point) else { return Ok(()) };
         let mut before = self.scene.clone();
-        let _ = point.reverse(&mut before);
+        let (_, change) = point.reverse(&mut before);
         if before == self.scene {
             return Ok(());
         }
-        let old = problem::check(&before);
-        let mut new = problem::check(&self.scene);
-        new.retain(|p| p.severity == Severity::Error && !old.contains(p));
-        if !new.is_empty() {
+        let problems = self.new_errors(&before, &change);
+        if !problems.is_empty() {
             self.scene = before;
-            return Err(EditError::Problems(new));
+            return Err(EditError::Problems { problems, taken_back: change });
         }
         self.made_count += 1;
         point.mark = SavedMark(self.made_count);
         self.done.push(point);
         self.undone.clear();
         Ok(())
+    }
+
+    /// What `change` has made wrong in the scene, which was `before`.
+    fn new_errors(&self, before: &Scene, change: &Change) -> Vec<Problem> {
+        let mut errors = problem::check_touched(&self.scene, change);
+        errors.retain(|problem| problem.severity == Severity::Error);
+        if !errors.is_empty() {
+            let old = problem::check(before);
+            errors.retain(|problem| !old.contains(problem));
+        }
+        errors
     }
 
     /// Takes the open transaction back. The change says what to recompute.
@@ -250,7 +264,7 @@ mod tests {
         let mut document = Document::new(Scene::default());
         let start = document.scene().clone();
         let error = document.edit("Bad", [Edit::Name("x".into()), Edit::TimeOfDay(f64::NAN)]);
-        assert!(matches!(error, Err(EditError::Problems(_))), "{error:?}");
+        assert!(matches!(error, Err(EditError::Problems { .. })), "{error:?}");
         assert_eq!(*document.scene(), start);
         let taken = document.scene().cameras[0].clone();
         let error = document.edit("Bad", [Edit::Camera(ListEdit::Insert { at: 0, value: taken })]);

@@ -5,14 +5,15 @@
 //! other folders; that its model's file is there and sound is seen when it is opened.
 
 use super::Problem;
+use super::scope::Scope;
 use crate::flight::SHORTEST_LEG_S;
-use crate::scene::{CameraPath, Scene};
+use crate::scene::CameraPath;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
-    for (i, path) in scene.paths.iter().enumerate() {
+pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
+    for (i, path) in scope.paths() {
         check_path(i, path, problems);
     }
-    for (i, aircraft) in scene.aircraft.iter().enumerate() {
+    for (i, aircraft) in scope.aircraft() {
         if let Some(name) = aircraft.model.as_deref().filter(|name| !is_file_name(name)) {
             problems.push(Problem::error(
                 format!("aircraft[{i}].model"),

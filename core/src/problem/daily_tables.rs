@@ -2,11 +2,14 @@
 //! holds there could not be said.
 
 use super::Problem;
-use crate::scene::{DailyTable, Scene};
+use super::scope::Scope;
+use crate::scene::DailyTable;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
-    check_table("sky.ambient", &scene.sky.ambient, problems);
-    check_table("sky.directional", &scene.sky.directional, problems);
+pub(super) fn check(Scope { scene, change }: Scope<'_>, problems: &mut Vec<Problem>) {
+    if change.touches_head() {
+        check_table("sky.ambient", &scene.sky.ambient, problems);
+        check_table("sky.directional", &scene.sky.directional, problems);
+    }
 }
 
 fn check_table<T>(place: &str, table: &DailyTable<T>, problems: &mut Vec<Problem>) {

@@ -2,14 +2,15 @@
 //! a new one would get an old id. Cameras' and paths' names are what the command line knows them by, so they differ too.
 
 use super::Problem;
-use crate::scene::{CloudModel, Scene};
+use super::scope::Scope;
+use crate::scene::CloudModel;
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 
 /// What JSON's readers hold exactly; a scene will not get that far by adding things.
 const LAST_ID: u64 = 1 << 53;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+pub(super) fn check(Scope { scene, change }: Scope<'_>, problems: &mut Vec<Problem>) {
     if scene.next_id.0 > LAST_ID {
         let message = format!("{} leaves no ids for new things", scene.next_id.0);
         problems.push(Problem::error("next_id", message, "set it to one more than the largest id in the scene"));
@@ -39,13 +40,18 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
     let groups = |(i, m): (usize, &'_ CloudModel)| -> Vec<_> {
         m.groups.iter().enumerate().map(|(j, g)| (g.id.0, [i, j])).collect()
     };
-    check_kind(&mut scene.cameras.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("cameras"));
-    check_kind(&mut models().map(|(i, m)| (m.id.0, [i, 0])), &in_list("models"));
-    check_kind(&mut scene.clouds.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("clouds"));
-    check_kind(&mut scene.paths.iter().enumerate().map(|(i, p)| (p.id.0, [i, 0])), &in_list("paths"));
-    check_kind(&mut scene.aircraft.iter().enumerate().map(|(i, a)| (a.id.0, [i, 0])), &in_list("aircraft"));
-    check_kind(&mut models().flat_map(boxes), &in_model("boxes"));
-    check_kind(&mut models().flat_map(groups), &in_model("groups"));
+    // What is in no list but the scene's keeps its id as long as it is there.
+    if change.touches_lists() {
+        check_kind(&mut scene.cameras.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("cameras"));
+        check_kind(&mut models().map(|(i, m)| (m.id.0, [i, 0])), &in_list("models"));
+        check_kind(&mut scene.clouds.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("clouds"));
+        check_kind(&mut scene.paths.iter().enumerate().map(|(i, p)| (p.id.0, [i, 0])), &in_list("paths"));
+        check_kind(&mut scene.aircraft.iter().enumerate().map(|(i, a)| (a.id.0, [i, 0])), &in_list("aircraft"));
+    }
+    if change.touches_lists() || change.touches_models() {
+        check_kind(&mut models().flat_map(boxes), &in_model("boxes"));
+        check_kind(&mut models().flat_map(groups), &in_model("groups"));
+    }
     check_names("camera", "cameras", scene.cameras.iter().map(|camera| camera.name.as_str()), problems);
     check_names("path", "paths", scene.paths.iter().map(|path| path.name.as_str()), problems);
 }

@@ -1,10 +1,10 @@
 //! Colour levels stand lowest first; two at one height are a step and allowed.
 
 use super::Problem;
-use crate::scene::Scene;
+use super::scope::Scope;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
-    for (i, model) in scene.models.iter().enumerate() {
+pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
+    for (i, model) in scope.models() {
         for (j, pair) in model.color_levels.windows(2).enumerate() {
             let (below, height) = (pair[0].height, pair[1].height);
             if height < below {

@@ -2,13 +2,19 @@
 //! that were edited.
 
 use super::Problem;
-use crate::scene::{CloudBox, CloudModel, GroupId, ModelId, Scene};
+use super::scope::Scope;
+use crate::document::Change;
+use crate::scene::{CloudBox, CloudModel, GroupId, ModelId};
 use std::collections::BTreeSet;
 use std::fmt::Arguments;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
+    let Scope { scene, change } = scope;
+    // Where something may be gone, all that may have named it is asked.
+    let everything = Change::everything();
+    let naming = Scope { scene, change: if change.touches_lists() { &everything } else { change } };
     let models: BTreeSet<ModelId> = scene.models.iter().map(|model| model.id).collect();
-    for (i, cloud) in scene.clouds.iter().enumerate() {
+    for (i, cloud) in naming.clouds() {
         if !models.contains(&cloud.model) {
             problems.push(Problem::error(
                 format!("clouds[{i}].model"),
@@ -17,7 +23,7 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
             ));
         }
     }
-    for (i, aircraft) in scene.aircraft.iter().enumerate() {
+    for (i, aircraft) in naming.aircraft() {
         if scene.path(aircraft.path).is_none() {
             problems.push(Problem::error(
                 format!("aircraft[{i}].path"),
@@ -26,7 +32,7 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
             ));
         }
     }
-    for (i, model) in scene.models.iter().enumerate() {
+    for (i, model) in scope.models() {
         let groups: BTreeSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
         for (j, cloud_box) in model.boxes.iter().enumerate() {
             check_box(format_args!("models[{i}].boxes[{j}]"), (model, &groups), cloud_box, problems);

@@ -1,6 +1,6 @@
 //! Faults that a user can mend: where, what, and what to do. One check a file.
 //!
-//! A check walks the scene and reports; it never changes anything. Errors make a scene unusable (a file with one is
+//! A check walks the scene, or what a change touched of it ([`scope`]), and reports; it never changes anything. Errors make a scene unusable (a file with one is
 //! not opened, a transaction that brings one is taken back); notes are worth a look and refused by nobody.
 
 mod camera_paths;
@@ -12,12 +12,15 @@ mod missing_references;
 mod no_cameras;
 mod numbers_out_of_range;
 mod reversed_ranges;
+mod scope;
 mod too_many_sprites;
 mod unused_groups;
 
 pub use too_many_sprites::MAX_SPRITES_TRIED;
 
+use crate::document::Change;
 use crate::scene::Scene;
+use scope::Scope;
 use std::fmt;
 
 /// How bad a problem is.
@@ -62,7 +65,7 @@ impl fmt::Display for Problem {
 }
 
 /// All checks, in the order of their reports.
-const CHECKS: &[fn(&Scene, &mut Vec<Problem>)] = &[
+const CHECKS: &[fn(Scope<'_>, &mut Vec<Problem>)] = &[
     numbers_out_of_range::check,
     reversed_ranges::check,
     daily_tables::check,
@@ -77,11 +80,22 @@ const CHECKS: &[fn(&Scene, &mut Vec<Problem>)] = &[
 
 /// Every problem of `scene` that can be seen without its sprites, errors and notes.
 pub fn check(scene: &Scene) -> Vec<Problem> {
+    check_touched(scene, &Change::everything())
+}
+
+/// Those problems of `scene` that lie in what `change` touched. If it had no errors before the change, these are all
+/// its errors; notes on the rest are left out.
+pub fn check_touched(scene: &Scene, change: &Change) -> Vec<Problem> {
     let mut problems = Vec::new();
     for check in CHECKS {
-        check(scene, &mut problems);
+        check(Scope { scene, change }, &mut problems);
     }
     problems
+}
+
+/// Whether `scene`, which had no errors before `change`, has none after it.
+pub fn stays_sound(scene: &Scene, change: &Change) -> bool {
+    check_touched(scene, change).iter().all(|problem| problem.severity != Severity::Error)
 }
 
 /// The first two hundred, and how many more there are: a file can hold millions of faults.

@@ -1,9 +1,9 @@
 //! Without a camera there is nothing to draw a picture from: mentioned, since the editor can do without.
 
 use super::Problem;
-use crate::scene::Scene;
+use super::scope::Scope;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+pub(super) fn check(Scope { scene, .. }: Scope<'_>, problems: &mut Vec<Problem>) {
     if scene.cameras.is_empty() {
         problems.push(Problem::note(
             "cameras",

@@ -4,39 +4,35 @@
 //! memory than there is. Places are put into words only where something is wrong: a drag asks at every step.
 
 use super::Problem;
+use super::scope::Scope;
 use crate::color::{Rgb, Rgba};
 use crate::parameter::{self as p, Parameter};
 use crate::scene::{CameraPath, CloudModel, CullRadius, Formation, GroupCenter, GroupLight, Scene, Sky, Sun};
 use glam::DVec3;
 use std::fmt::Arguments;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
+    let Scope { scene, change } = scope;
     let mut walk = Walk { problems };
-    walk.number(format_args!("time_of_day_h"), &p::TIME_OF_DAY_H, scene.time_of_day_h);
-    walk.number(format_args!("place.latitude_deg"), &p::LATITUDE_DEG, scene.place.latitude_deg);
-    walk.number(format_args!("place.longitude_deg"), &p::LONGITUDE_DEG, scene.place.longitude_deg);
-    walk.number(format_args!("place.utc_offset_h"), &p::UTC_OFFSET_H, scene.place.utc_offset_h);
-    if let Sun::ByHand { heading_deg, elevation_deg } = scene.sun {
-        walk.number(format_args!("sun.by_hand.heading_deg"), &p::HEADING_DEG, heading_deg);
-        walk.number(format_args!("sun.by_hand.elevation_deg"), &p::ELEVATION_DEG, elevation_deg);
+    if change.touches_head() {
+        walk.head(scene);
     }
-    walk.sky(&scene.sky);
-    if let Some(ground) = &scene.ground {
+    if let Some(ground) = scene.ground.as_ref().filter(|_| change.touches_ground()) {
         walk.number(format_args!("ground.altitude_m"), &p::POSITION, ground.altitude_m);
         walk.rgb(format_args!("ground.dark"), ground.dark);
         walk.rgb(format_args!("ground.bright"), ground.bright);
     }
-    for (i, camera) in scene.cameras.iter().enumerate() {
+    for (i, camera) in scope.cameras() {
         walk.point(format_args!("cameras[{i}].position"), &p::POSITION, camera.position);
         walk.number(format_args!("cameras[{i}].heading_deg"), &p::HEADING_DEG, camera.heading_deg);
         walk.number(format_args!("cameras[{i}].pitch_deg"), &p::PITCH_DEG, camera.pitch_deg);
         walk.number(format_args!("cameras[{i}].roll_deg"), &p::ROLL_DEG, camera.roll_deg);
         walk.number(format_args!("cameras[{i}].field_of_view_deg"), &p::FIELD_OF_VIEW_DEG, camera.field_of_view_deg);
     }
-    for (i, model) in scene.models.iter().enumerate() {
+    for (i, model) in scope.models() {
         walk.model(format_args!("models[{i}]"), model);
     }
-    for (i, cloud) in scene.clouds.iter().enumerate() {
+    for (i, cloud) in scope.clouds() {
         walk.point(format_args!("clouds[{i}].position"), &p::POSITION, cloud.position);
         walk.number(format_args!("clouds[{i}].heading_deg"), &p::HEADING_DEG, cloud.heading_deg);
         walk.number(format_args!("clouds[{i}].scale"), &p::CLOUD_SCALE, cloud.scale);
@@ -44,10 +40,10 @@ pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
             walk.formation(format_args!("clouds[{i}].formation"), formation);
         }
     }
-    for (i, path) in scene.paths.iter().enumerate() {
+    for (i, path) in scope.paths() {
         walk.path(format_args!("paths[{i}]"), path);
     }
-    for (i, aircraft) in scene.aircraft.iter().enumerate() {
+    for (i, aircraft) in scope.aircraft() {
         walk.number(format_args!("aircraft[{i}].ahead_s"), &p::AIRCRAFT_AHEAD_S, aircraft.ahead_s);
         walk.number(format_args!("aircraft[{i}].scale"), &p::AIRCRAFT_SCALE, aircraft.scale);
     }
@@ -58,6 +54,18 @@ struct Walk<'a> {
 }
 
 impl Walk<'_> {
+    fn head(&mut self, scene: &Scene) {
+        self.number(format_args!("time_of_day_h"), &p::TIME_OF_DAY_H, scene.time_of_day_h);
+        self.number(format_args!("place.latitude_deg"), &p::LATITUDE_DEG, scene.place.latitude_deg);
+        self.number(format_args!("place.longitude_deg"), &p::LONGITUDE_DEG, scene.place.longitude_deg);
+        self.number(format_args!("place.utc_offset_h"), &p::UTC_OFFSET_H, scene.place.utc_offset_h);
+        if let Sun::ByHand { heading_deg, elevation_deg } = scene.sun {
+            self.number(format_args!("sun.by_hand.heading_deg"), &p::HEADING_DEG, heading_deg);
+            self.number(format_args!("sun.by_hand.elevation_deg"), &p::ELEVATION_DEG, elevation_deg);
+        }
+        self.sky(&scene.sky);
+    }
+
     fn number(&mut self, place: Arguments<'_>, parameter: &Parameter, value: f64) {
         if parameter.allows(value) {
             return;

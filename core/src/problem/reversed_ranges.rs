@@ -1,10 +1,10 @@
 //! A range's first number is its smaller one: a reversed range is mostly a slip of the pen.
 
 use super::Problem;
-use crate::scene::Scene;
+use super::scope::Scope;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
-    for (i, model) in scene.models.iter().enumerate() {
+pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
+    for (i, model) in scope.models() {
         for (j, cloud_box) in model.boxes.iter().enumerate() {
             let ranges =
                 [("width", cloud_box.width), ("height", cloud_box.height), ("rotation_deg", cloud_box.rotation_deg)];

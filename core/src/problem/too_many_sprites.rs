@@ -1,13 +1,17 @@
 //! A bound on what one scene may ask for: memory must not depend on a slip of the pen.
 
 use super::Problem;
-use crate::scene::{CloudModel, ModelId, Scene};
+use super::scope::Scope;
+use crate::scene::{CloudModel, ModelId};
 use std::collections::BTreeMap;
 
 /// Sprites tried in all clouds together: some 2 GB at the worst, with all of them on the screen.
 pub const MAX_SPRITES_TRIED: u64 = 4_000_000;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
+pub(super) fn check(Scope { scene, change }: Scope<'_>, problems: &mut Vec<Problem>) {
+    if !change.touches_models() && !change.touches_clouds() {
+        return;
+    }
     let of_model = |model: &CloudModel| model.boxes.iter().map(|b| u64::from(b.sprite_count)).sum::<u64>();
     let counts: BTreeMap<ModelId, u64> = scene.models.iter().map(|model| (model.id, of_model(model))).collect();
     let tried: u64 =

@@ -2,11 +2,12 @@
 //! later.
 
 use super::Problem;
-use crate::scene::{GroupId, Scene};
+use super::scope::Scope;
+use crate::scene::GroupId;
 use std::collections::BTreeSet;
 
-pub(super) fn check(scene: &Scene, problems: &mut Vec<Problem>) {
-    for (i, model) in scene.models.iter().enumerate() {
+pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
+    for (i, model) in scope.models() {
         let of_sprites = model.boxes.iter().flat_map(|each| each.sprite_edits.iter().map(|edit| edit.group));
         let used: BTreeSet<GroupId> = model.boxes.iter().map(|each| each.group).chain(of_sprites).flatten().collect();
         for (j, group) in model.groups.iter().enumerate().filter(|(_, group)| !used.contains(&group.id)) {

@@ -13,6 +13,7 @@ mod color_levels;
 mod daily_table;
 mod formation;
 mod ids;
+mod list;
 mod look;
 mod model;
 mod shading_group;
@@ -28,6 +29,7 @@ pub use color_levels::{ColorLevel, ColorLevels};
 pub use daily_table::{DailyKey, DailyTable};
 pub use formation::{Formation, FormationChange};
 pub use ids::{AircraftId, BoxId, CameraId, CloudId, GroupId, HasId, IdCounter, ModelId, PathId};
+pub use list::List;
 pub use look::{Ground, Sky};
 pub use model::{CloudModel, CullRadius};
 pub use shading_group::{GroupCenter, GroupLight, ShadingGroup};
@@ -61,30 +63,30 @@ pub struct Scene {
     pub atlas: Option<String>,
     /// Named views. The first is the one a picture is drawn from unless told otherwise.
     #[serde(default)]
-    pub cameras: Vec<Camera>,
+    pub cameras: List<Camera>,
     /// Kinds of cloud: defined once, placed often.
     #[serde(default)]
-    pub models: Vec<CloudModel>,
+    pub models: List<CloudModel>,
     /// The models' placements.
     #[serde(default)]
-    pub clouds: Vec<Cloud>,
+    pub clouds: List<Cloud>,
     /// Flights for a camera.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub paths: Vec<CameraPath>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub paths: List<CameraPath>,
     /// Aircraft that fly along the paths.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub aircraft: Vec<Aircraft>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub aircraft: List<Aircraft>,
 }
 
 impl Scene {
     /// The model of that id.
     pub fn model(&self, id: ModelId) -> Option<&CloudModel> {
-        self.models.iter().find(|model| model.id == id)
+        self.models.with_id(id)
     }
 
     /// The cloud of that id.
     pub fn cloud(&self, id: CloudId) -> Option<&Cloud> {
-        self.clouds.iter().find(|cloud| cloud.id == id)
+        self.clouds.with_id(id)
     }
 
     /// The camera of that name.
@@ -94,7 +96,7 @@ impl Scene {
 
     /// The path of that id.
     pub fn path(&self, id: PathId) -> Option<&CameraPath> {
-        self.paths.iter().find(|path| path.id == id)
+        self.paths.with_id(id)
     }
 
     /// The path of that name.
@@ -117,11 +119,11 @@ impl Default for Scene {
             sky: Sky::default(),
             ground: Some(Ground::default()),
             atlas: None,
-            cameras: vec![camera],
-            models: Vec::new(),
-            clouds: Vec::new(),
-            paths: Vec::new(),
-            aircraft: Vec::new(),
+            cameras: vec![camera].into(),
+            models: List::new(),
+            clouds: List::new(),
+            paths: List::new(),
+            aircraft: List::new(),
         }
     }
 }

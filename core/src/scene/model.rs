@@ -1,7 +1,7 @@
 //! A cloud model: boxes, colours and groups, defined once and placed often.
 
 use super::color_levels::default_levels;
-use super::{Category, CloudBox, ColorLevels, HasId, ModelId, ShadingGroup};
+use super::{Category, CloudBox, ColorLevels, HasId, List, ModelId, ShadingGroup};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -23,11 +23,11 @@ pub struct CloudModel {
     /// Ambient light over the height.
     pub color_levels: ColorLevels,
     /// Shading groups that several boxes or single sprites share.
-    #[serde(default, skip_serializing_if = "Vec::is_empty")]
-    pub groups: Vec<ShadingGroup>,
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub groups: List<ShadingGroup>,
     /// Where its sprites are strewn.
     #[serde(default)]
-    pub boxes: Vec<CloudBox>,
+    pub boxes: List<CloudBox>,
 }
 
 /// A candidate whose centre lies closer than this to one already kept is dropped.
@@ -59,8 +59,8 @@ impl CloudModel {
             seed: 1,
             cull_radius: CullRadius::default(),
             color_levels: default_levels(),
-            groups: Vec::new(),
-            boxes: Vec::new(),
+            groups: List::new(),
+            boxes: List::new(),
         }
     }
 }

@@ -35,7 +35,7 @@ fn all_clouds(scene: &Scene) -> Vec<Item> {
 /// Body and left head: not in the cloud's middle.
 fn two_boxes(scene: &Scene) -> Vec<Item> {
     let model = &scene.models[0];
-    model.boxes[1..3].iter().map(|each| Item::Box(model.id, each.id)).collect()
+    model.boxes.as_slice()[1..3].iter().map(|each| Item::Box(model.id, each.id)).collect()
 }
 
 fn the_model(scene: &Scene) -> Vec<Item> {
@@ -147,9 +147,9 @@ fn many_placements_show_while_they_are_chosen() {
     window.set("Placements", 7.0);
     window.set("Altitude spread", 300.0);
     assert_eq!(window.session().derived().clouds().len(), 8, "they are shown");
-    let shown = window.scene().clouds[1..].to_vec();
+    let shown = window.scene().clouds.as_slice()[1..].to_vec();
     window.press("Re-roll the placements");
-    assert_ne!(window.scene().clouds[1..], shown);
+    assert_ne!(window.scene().clouds.as_slice()[1..], shown);
     window.set("Placements", 0.0);
     assert!(window.shows("outside 1 to 10000"));
     window.press("Place");
