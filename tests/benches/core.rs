@@ -107,7 +107,7 @@ fn flying(criterion: &mut Criterion) {
     let mut scene = heap(1);
     let model = model_of(36_000);
     scene.clouds[0].model = model.id;
-    scene.models = vec![model];
+    scene.models = vec![model].into();
     let derived = Derived::new(&scene);
     let cloud = &derived.clouds()[0];
     let middle = cloud.origin + cloud.center.as_dvec3();

@@ -11,7 +11,7 @@ use super::regeneration::{Regeneration, Wish};
 use crate::opening::Beside;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Change, Document, Edit, EditError, SavedMark};
-use cloudwright_core::problem::{self, Problem, Severity};
+use cloudwright_core::problem::{self, Problem};
 use cloudwright_core::scene::{CloudId, Scene};
 use cloudwright_core::sprites::PlacedCloud;
 use cloudwright_core::version::Version;
@@ -34,8 +34,6 @@ pub struct Session {
     /// Whether `shown` is the document's scene.
     is_sound: bool,
     stale: Change,
-    /// What the open gesture touched: to be derived back if it is refused.
-    gesture: Change,
     /// How far the history has moved since the clouds were last those of the scene; back counts as negative.
     steps: isize,
     regeneration: Regeneration,
@@ -66,7 +64,6 @@ impl Session {
             path,
             beside: Beside::default(),
             stale: Change::everything(),
-            gesture: Change::default(),
             steps: 0,
             regeneration: Regeneration::default(),
             revision: Version::fresh(),
@@ -138,7 +135,6 @@ impl Session {
             change.join(self.document.apply(edit)?);
             Ok(())
         });
-        self.gesture.join(change.clone());
         self.follow(change);
         done
     }
@@ -147,11 +143,11 @@ impl Session {
     pub(crate) fn commit(&mut self) -> Result<(), EditError> {
         let was_open = self.document.is_open();
         let done = self.document.commit();
-        let gesture = std::mem::take(&mut self.gesture);
-        if done.is_err() {
-            self.follow(gesture);
-        } else if was_open {
-            self.count_point();
+        match &done {
+            Err(EditError::Problems { taken_back, .. }) => self.follow(taken_back.clone()),
+            Err(_) => {}
+            Ok(()) if was_open => self.count_point(),
+            Ok(()) => {}
         }
         done
     }
@@ -160,7 +156,6 @@ impl Session {
     pub(crate) fn cancel(&mut self) {
         if self.document.is_open() {
             let change = self.document.cancel();
-            self.gesture = Change::default();
             self.follow(change);
         }
     }
@@ -169,7 +164,6 @@ impl Session {
     pub(crate) fn undo(&mut self) -> bool {
         let was_open = self.document.is_open();
         let Some(change) = self.document.undo() else { return false };
-        self.gesture = Change::default();
         self.follow(change);
         if !was_open && self.is_behind() {
             self.steps -= 1;
@@ -222,7 +216,6 @@ impl Session {
     pub(crate) fn jump_to(&mut self, count: usize) {
         let before = self.document.history().done_count();
         let Some(change) = self.document.jump_to(count) else { return };
-        self.gesture = Change::default();
         self.follow(change);
         if self.is_behind() {
             self.steps += self.document.history().done_count() as isize - before as isize;
@@ -255,8 +248,10 @@ impl Session {
             self.load_beside();
         }
         let touches_sprites = change.touches_sprites();
+        // What was wrong before may lie anywhere.
+        let touched = if self.is_sound { &change } else { &Change::everything() };
+        self.is_sound = problem::stays_sound(self.scene(), touched);
         self.stale.join(change);
-        self.is_sound = problem::check(self.scene()).iter().all(|problem| problem.severity != Severity::Error);
         if !self.is_sound {
             return;
         }

@@ -11,11 +11,11 @@ use glam::DVec3;
 pub(crate) fn scene() -> Scene {
     let mut scene = Scene::default();
     let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "cumulus", Category::CumulusHumilis);
-    model.boxes = cumulus(&mut scene.next_id);
+    model.boxes = cumulus(&mut scene.next_id).into();
     let cloud = Cloud::new(CloudId::new(&mut scene.next_id), &model, DVec3::new(0.0, 1000.0, 0.0));
     scene.models.push(model);
     scene.clouds.push(cloud);
-    if let Some(camera) = scene.cameras.first_mut() {
+    if let Some(camera) = scene.cameras.get_mut(0) {
         camera.position = DVec3::new(0.0, 700.0, 3200.0);
         camera.pitch_deg = 6.0;
     }

@@ -102,6 +102,11 @@ impl<T: Clone> List<T> {
         self.0.get_mut(at).map(Arc::make_mut)
     }
 
+    /// The last, to change.
+    pub fn last_mut(&mut self) -> Option<&mut T> {
+        self.0.last_mut().map(Arc::make_mut)
+    }
+
     /// Takes out the one at a position.
     ///
     /// # Panics

@@ -3,7 +3,7 @@
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::scene::{
     BoxId, Camera, CameraId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevels, CullRadius,
-    GroupCenter, GroupLight, ModelId, PathId, PathKey, Scene,
+    GroupCenter, GroupLight, List, ModelId, PathId, PathKey, Scene,
 };
 use glam::{DQuat, DVec3};
 
@@ -63,7 +63,7 @@ impl Default for Strew {
 impl Sketch {
     /// An empty scene without cameras.
     pub fn new(name: &str, seed: u64) -> Self {
-        let scene = Scene { name: name.into(), cameras: Vec::new(), next_id: Default::default(), ..Scene::default() };
+        let scene = Scene { name: name.into(), cameras: List::new(), next_id: Default::default(), ..Scene::default() };
         Self { scene, seed, rolls: Default::default() }
     }
 

@@ -100,8 +100,8 @@ fn through_the_near_plane(noon: &Case) -> Case {
     (close.width, close.height) = ([0.3, 0.8], [0.3, 0.8]);
     model.boxes.push(close);
     model.cull_radius = cloudwright_core::scene::CullRadius::Metres(0.0);
-    case.scene.clouds = vec![cloud(&mut case.scene, &model, DVec3::new(0.0, 900.0, 0.0))];
-    case.scene.models = vec![model];
+    case.scene.clouds = vec![cloud(&mut case.scene, &model, DVec3::new(0.0, 900.0, 0.0))].into();
+    case.scene.models = vec![model].into();
     case.camera.position = DVec3::new(0.3, 900.2, 0.4);
     case
 }
@@ -176,9 +176,10 @@ fn clouds() -> Scene {
         cloud(&mut scene, &cumulus, DVec3::new(0.0, 1000.0, 0.0)),
         cloud(&mut scene, &stratus, DVec3::new(-300.0, 1500.0, -2500.0)),
         cloud(&mut scene, &cumulus, DVec3::new(900.0, 1100.0, -900.0)),
-    ];
+    ]
+    .into();
     (scene.clouds[2].heading_deg, scene.clouds[2].scale, scene.clouds[2].seed) = (77.0, 1.6, Some(9));
-    scene.models = vec![cumulus, stratus];
+    scene.models = vec![cumulus, stratus].into();
     scene
 }
 

@@ -8,7 +8,7 @@
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::scene::{
     BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, CullRadius, DailyTable, GroupCenter, GroupLight, IdCounter,
-    ModelId, Scene, Sky, Sun,
+    List, ModelId, Scene, Sky, Sun,
 };
 use cloudwright_core::sprites::Atlas;
 use glam::DVec3;
@@ -62,7 +62,7 @@ pub fn studio(clouds: &[PlateCloud]) -> Scene {
             ..Sky::default()
         },
         ground: None,
-        cameras: Vec::new(),
+        cameras: List::new(),
         ..Scene::default()
     };
     for cloud in clouds {

@@ -91,7 +91,7 @@ fn what_flights_leave_out_has_its_default() {
     let change = FormationChange::Dissipating;
     assert_eq!(scene.clouds[0].formation, Some(Formation { change, core_s: 5.0, ..Formation::default() }));
     assert_eq!(scene.paths[0].keys[1].roll_deg, 0.0);
-    assert_eq!(scene.aircraft, [Aircraft::new(AircraftId(51), "leader", PathId(50))]);
+    assert_eq!(scene.aircraft, vec![Aircraft::new(AircraftId(51), "leader", PathId(50))].into());
     assert_eq!(scene.sky.inside_density, 1.0);
     let text = scene_file::write(&scene).expect("finite");
     assert!(!text.contains("inside_density"), "the default is not written");

@@ -260,7 +260,7 @@ fn caches_hold_what_a_fresh_start_computes() {
             (5, _, Some(model)) => vec![Edit::Model(ListEdit::Replace(CloudModel { seed: u64::from(size), ..model }))],
             (6, _, Some(model)) => {
                 let id = ModelId::new(&mut counter);
-                let copy = CloudModel { id, boxes: Vec::new(), ..model };
+                let copy = CloudModel { id, boxes: Default::default(), ..model };
                 vec![Edit::NextId(counter), Edit::Model(ListEdit::Insert { at: 0, value: copy })]
             }
             (7, ..) => vec![Edit::Ground(scene.ground.is_none().then(Default::default))],

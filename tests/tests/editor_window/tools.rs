@@ -5,7 +5,7 @@ use cloudwright::command::Command;
 use cloudwright::state::Item;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::camera::View;
-use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, GroupId};
+use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, GroupId, List};
 use cloudwright_core::sprites::GroupKey;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, Rect, Vec2, pos2, vec2};
 use egui_kittest::kittest::Queryable;
@@ -216,7 +216,7 @@ fn a_marquee_selects_what_lies_in_it() {
     window.drag(pivot + vec2(92.5, 0.0), vec2(92.5, 0.0));
     let scene = window.scene();
     assert_eq!([0, 1, 2].map(|i| scene.clouds[i].scale), [2.0, 2.0, 1.0]);
-    let gap = |clouds: &[Cloud]| (clouds[0].position - clouds[1].position).length();
+    let gap = |clouds: &List<Cloud>| (clouds[0].position - clouds[1].position).length();
     assert!((gap(&scene.clouds) / gap(&clouds) - 2.0).abs() < 1e-3);
 }
 

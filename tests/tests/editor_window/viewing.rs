@@ -53,7 +53,7 @@ fn turning_the_view_is_no_change() {
         assert!(!window.session().document().is_modified());
         // A camera put there tells how the view was moved.
         window.press("Add camera");
-        let [main, new] = &window.scene().cameras.as_slice()[..] else { panic!("two cameras") };
+        let [main, new] = window.scene().cameras.as_slice() else { panic!("two cameras") };
         assert_eq!((main.heading_deg - new.heading_deg).abs() > 5.0, turns, "{button:?} {modifiers:?}");
         assert_eq!(main.position != new.position, moves, "{button:?} {modifiers:?}");
         window.press("Undo");
