@@ -18,6 +18,8 @@ pub const TILE_SIZE: usize = 128;
 /// Sides 128, 64, 32, 16, 8.
 pub const MIP_LEVELS: usize = 5;
 const SHEET_SIZE: usize = 4 * TILE_SIZE;
+/// What every PNG begins with.
+const SIGNATURE: &[u8] = b"\x89PNG\r\n\x1a\n";
 
 /// Sixteen tiles with their mip levels.
 #[derive(Debug, Clone)]
@@ -43,9 +45,15 @@ pub struct TileLevel {
 /// Why a picture can't be an atlas.
 #[derive(Debug, thiserror::Error)]
 pub enum AtlasError {
-    /// Not a PNG, or a broken one.
-    #[error("it is not a readable PNG: {0}")]
-    Png(#[from] png::DecodingError),
+    /// Another kind of file.
+    #[error("it is not a PNG")]
+    NotPng,
+    /// It ends too early.
+    #[error("its PNG is cut off")]
+    CutOff,
+    /// What stands in it can't be.
+    #[error("its PNG is broken; save it again")]
+    Broken,
     /// Not 512 × 512.
     #[error("it measures {width} × {height}; an atlas is 512 × 512: four by four tiles of 128")]
     Size {
@@ -64,6 +72,16 @@ static BUILT_IN: LazyLock<Atlas> = LazyLock::new(|| {
     Atlas::from_png(include_bytes!("../../../../assets/atlas/clouds.png")).unwrap_or_else(|_| Atlas::from_sheet(&[]))
 });
 
+/// The library's own words are for those who write PNG files by hand.
+impl From<png::DecodingError> for AtlasError {
+    fn from(error: png::DecodingError) -> Self {
+        match error {
+            png::DecodingError::IoError(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => Self::CutOff,
+            _ => Self::Broken,
+        }
+    }
+}
+
 impl Atlas {
     /// The sheet that ships with Cloudwright (assets/atlas/clouds.png).
     pub fn built_in() -> &'static Self {
@@ -75,6 +93,9 @@ impl Atlas {
     /// # Errors
     /// If it is no PNG, has another size, or no alpha.
     pub fn from_png(bytes: &[u8]) -> Result<Self, AtlasError> {
+        if !bytes.starts_with(SIGNATURE) {
+            return Err(AtlasError::NotPng);
+        }
         let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
         decoder.set_transformations(png::Transformations::EXPAND | png::Transformations::STRIP_16);
         let mut reader = decoder.read_info()?;
@@ -255,6 +276,16 @@ mod tests {
 
     #[test]
     fn other_pictures_are_refused() {
-        assert!(matches!(Atlas::from_png(b"not a png"), Err(AtlasError::Png(_))));
+        assert!(matches!(Atlas::from_png(b"not a png"), Err(AtlasError::NotPng)));
+        let sheet = include_bytes!("../../../../assets/atlas/clouds.png");
+        for length in [8, 20, 40, sheet.len() / 2] {
+            assert!(matches!(Atlas::from_png(&sheet[..length]), Err(AtlasError::CutOff)), "{length}");
+        }
+        // A chunk of another kind where the head must be, and a head whose checksum is wrong.
+        for (at, byte) in [(12, b'i'), (12, 0x1b), (30, 1)] {
+            let mut broken = sheet.to_vec();
+            broken[at] = byte;
+            assert!(matches!(Atlas::from_png(&broken), Err(AtlasError::Broken)), "{at}");
+        }
     }
 }
