@@ -1,13 +1,17 @@
 //! Where pictures come from: a GPU where there is one, the CPU everywhere.
 //!
-//! The rest of the program asks a [`Renderer`] and doesn't know which it is. Both draw the same [`Frame`]. The
-//! viewport draws with the window's own device instead, see viewport/picture.rs.
+//! A frame says by its rules what draws it; a [`Renderer`] brings the adapter for those that ask for one. The viewport
+//! draws with the window's own device instead, see viewport/picture.rs.
 
 use clap::ValueEnum;
+use cloudwright_core::draw::{self, Drawn};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
-use cloudwright_core::raster;
-use cloudwright_render::{AdapterChoice, Gpu, GpuError};
+use cloudwright_core::raster::develop;
+use cloudwright_core::rules::{Rasterizer, Rules};
+use cloudwright_core::watch::Watch;
+use cloudwright_render::{AdapterChoice, Gpu, GpuError, PassClock};
+use std::time::Duration;
 
 /// What the user asked for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
@@ -32,13 +36,10 @@ pub enum RenderError {
     Gpu(#[from] cloudwright_render::RenderError),
 }
 
-/// Draws frames.
-#[derive(Debug)]
-pub enum Renderer {
-    /// All cores.
-    Cpu,
-    /// A device without a window.
-    Gpu(Box<(Gpu, cloudwright_render::Renderer)>),
+/// Draws frames by their rules: on the CPU, or on its adapter those that ask for one.
+#[derive(Debug, Default)]
+pub struct Renderer {
+    adapter: Option<Box<(Gpu, cloudwright_render::Renderer)>>,
 }
 
 impl Renderer {
@@ -48,45 +49,84 @@ impl Renderer {
     /// If a GPU is asked for and there is none.
     pub fn new(choice: RendererChoice) -> Result<Self, RenderError> {
         match choice {
-            RendererChoice::Cpu => Ok(Self::Cpu),
+            RendererChoice::Cpu => Ok(Self::default()),
             // A program that plays a GPU is slower than our own on the same cores.
-            RendererChoice::Auto => Ok(Self::on_gpu(&AdapterChoice::HardwareOnly).unwrap_or(Self::Cpu)),
-            RendererChoice::Gpu => Self::on_gpu(&AdapterChoice::Any),
+            RendererChoice::Auto => Ok(Self::with_adapter(&AdapterChoice::HardwareOnly).unwrap_or_default()),
+            RendererChoice::Gpu => Self::with_adapter(&AdapterChoice::Any),
         }
     }
 
-    fn on_gpu(choice: &AdapterChoice) -> Result<Self, RenderError> {
+    /// One that has an adapter.
+    ///
+    /// # Errors
+    /// If there is no such adapter.
+    pub fn with_adapter(choice: &AdapterChoice) -> Result<Self, RenderError> {
         let gpu = Gpu::headless(choice)?;
         let renderer = cloudwright_render::Renderer::new(&gpu)?;
-        Ok(Self::Gpu(Box::new((gpu, renderer))))
+        Ok(Self { adapter: Some(Box::new((gpu, renderer))) })
+    }
+
+    /// What it draws by unless a method is chosen.
+    pub fn rules(&self) -> Rules {
+        let rasterizer = if self.adapter.is_some() { Rasterizer::Gpu } else { Rules::SHIPPED.rasterizer };
+        Rules { rasterizer, ..Rules::SHIPPED }
     }
 
     /// As the user is told.
     pub fn name(&self) -> String {
-        match self {
-            Self::Cpu => "CPU".into(),
-            Self::Gpu(parts) => gpu_name(&parts.0),
-        }
+        self.adapter_name().unwrap_or_else(|| "CPU".into())
     }
 
-    /// The finished picture of `frame`, whose view is `side` times as wide and high as the picture: `side` × `side`
-    /// samples a pixel, averaged in linear light.
+    /// That of its adapter, if it has one.
+    pub fn adapter_name(&self) -> Option<String> {
+        self.adapter.as_ref().map(|parts| gpu_name(&parts.0))
+    }
+
+    /// The finished picture of `frame`. The truth tells `watch` how far it is, as [`draw::picture`].
     ///
     /// # Errors
-    /// If the GPU refuses.
-    pub fn picture(&mut self, frame: &Frame<'_>, side: u32) -> Result<Picture, RenderError> {
-        let linear = match self {
-            Self::Cpu if side <= 1 => return Ok(raster::fast::picture(frame)),
-            Self::Cpu => raster::fast::linear_picture(frame),
-            Self::Gpu(parts) => {
-                let (gpu, renderer) = parts.as_mut();
-                if side <= 1 {
-                    return Ok(renderer.picture(gpu, frame)?);
-                }
-                renderer.linear_picture(gpu, frame)?
-            }
+    /// If the frame asks for a GPU, and there is none or it refuses.
+    pub fn picture(&mut self, frame: &Frame<'_>, watch: &Watch) -> Result<Picture, RenderError> {
+        if let Some(picture) = draw::picture(frame, watch) {
+            return Ok(picture);
+        }
+        let side = frame.rules.pixels_a_pixel();
+        let (gpu, renderer) = self.adapter()?;
+        if side <= 1 {
+            return Ok(renderer.picture(gpu, frame)?);
+        }
+        Ok(develop(&renderer.linear_picture(gpu, frame)?.reduced(side), frame.exposure))
+    }
+
+    /// `frame` for figures. The truth as in [`Renderer::picture`].
+    ///
+    /// # Errors
+    /// As [`Renderer::picture`].
+    pub fn drawn(&mut self, frame: &Frame<'_>, watch: &Watch) -> Result<Drawn, RenderError> {
+        if let Some(drawn) = draw::drawn(frame, watch) {
+            return Ok(drawn);
+        }
+        let (gpu, renderer) = self.adapter()?;
+        let drawn = Drawn { linear: renderer.linear_picture(gpu, frame)?, clouds: Some(renderer.clouds(gpu, frame)?) };
+        Ok(drawn.reduced(frame.rules.pixels_a_pixel()))
+    }
+
+    /// How long the sprites of `frame` take by the adapter's own clock; none if it has no clock.
+    ///
+    /// # Errors
+    /// If there is no adapter, or it refuses.
+    pub fn sprites_time(&mut self, frame: &Frame<'_>) -> Result<Option<Duration>, RenderError> {
+        let (gpu, renderer) = self.adapter()?;
+        let pass = renderer.sprites_pass_time(gpu, frame)?;
+        Ok((pass.clock == PassClock::Timestamps).then_some(pass.duration))
+    }
+
+    fn adapter(&mut self) -> Result<(&Gpu, &mut cloudwright_render::Renderer), RenderError> {
+        let none = || {
+            cloudwright_render::RenderError::Refused("this is drawn on a graphics adapter, and there is none".into())
         };
-        Ok(raster::develop(&linear.reduced(side), frame.exposure))
+        let (gpu, renderer) = self.adapter.as_deref_mut().ok_or_else(none)?;
+        Ok((gpu, renderer))
     }
 }
 

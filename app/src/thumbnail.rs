@@ -4,15 +4,18 @@
 //! own, which draws one after the other and wakes the window after each; from then on the texture is there for the
 //! session. Nothing is drawn, and no thread runs, before the first gallery is shown.
 
-use crate::renderer::Renderer;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::preset::Preset;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{
     BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, CullRadius, GroupCenter, ModelId, Scene,
 };
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::watch::Watch;
 use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 use glam::DVec3;
 use std::collections::HashMap;
@@ -106,9 +109,9 @@ fn draw(subject: Subject) -> Option<Picture> {
         Subject::Category(category) => sample_of(category),
     };
     let derived = Derived::new(&scene);
-    let size = SIZE.map(|side| side * SAMPLES_SIDE);
-    let frame = Frame::new(&scene, &derived, Atlas::built_in(), scene.cameras.first()?, scene.time_of_day_h, size);
-    Renderer::Cpu.picture(&frame, SAMPLES_SIDE).ok()
+    let rules = Rules { samples_side: SAMPLES_SIDE, ..Rules::SHIPPED };
+    let sight = Sight { rules, ..Sight::still(scene.cameras.first()?, SIZE) };
+    draw::picture(&Frame::new(&scene, &derived, Atlas::built_in(), &sight), &Watch::default())
 }
 
 /// The same few sprites for each category, so that nothing but their tiles tells them apart. The seed is one under

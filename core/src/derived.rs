@@ -11,7 +11,7 @@ pub use plan::Plan;
 
 use crate::document::Change;
 use crate::scene::{Cloud, CloudModel, ModelId, Scene};
-use crate::sprites::{PlacedCloud, PopulatedModel, Sprite};
+use crate::sprites::{PlacedCloud, PopulatedModel};
 use crate::version::Version;
 use crate::watch::Watch;
 use glam::DVec3;
@@ -110,14 +110,6 @@ impl Derived {
     /// What there is to compute before this is `scene`'s, if no more than `change` has touched it since it was this.
     pub fn plan<'a>(&'a self, scene: &'a Scene, change: &Change) -> Plan<'a> {
         Plan::new(self, scene, change)
-    }
-
-    /// The same clouds with those of their sprites that `choose` gives, in whatever state; all else of a cloud, its
-    /// centre, height and groups, stays as it was with all of them.
-    #[must_use]
-    pub fn with_sprites(&self, choose: impl Fn(&PlacedCloud) -> Arc<[Sprite]>) -> Self {
-        let clouds = self.clouds.iter().map(|cloud| PlacedCloud { sprites: choose(cloud), ..cloud.clone() });
-        Self { clouds: clouds.collect(), version: Version::fresh(), ..self.clone() }
     }
 
     /// Recomputes what `change` touched in `scene`, which is the scene after the change.

@@ -3,16 +3,18 @@
 use crate::camera::View;
 use crate::color::Rgb;
 use crate::derived::Derived;
-use crate::draw_list::{Choice, DrawList, Hidden};
+use crate::detail::Kept;
+use crate::draw_list::{Choice, DrawList};
 use crate::facing::Poses;
-use crate::model_in_view::{Meshes, ModelInView, aircraft_in_view};
-use crate::raster::Filter;
-use crate::scene::{Camera, Scene};
-use crate::shading::{Formed, Light, Veil, veil};
+use crate::model_in_view::{ModelInView, aircraft_in_view};
+use crate::rules::Rules;
+use crate::scene::Scene;
+use crate::shading::{Veil, veil};
+use crate::sight::Sight;
 use crate::sky::{Background, Dome, GroundLook};
 use crate::sprites::{Atlas, PlacedCloud};
 use crate::version::Version;
-use crate::view_history::ViewHistory;
+use crate::weather::{Formed, Light};
 
 /// A scene's clouds, light and background as one eye sees them at one moment.
 #[derive(Debug, Clone)]
@@ -39,56 +41,29 @@ pub struct Frame<'a> {
     pub veil: Veil,
     /// Their tiles.
     pub atlas: &'a Atlas,
-    /// How renderers on the CPU take texels from them.
-    pub filter: Filter,
+    /// By which rules it is drawn.
+    pub rules: Rules,
     /// The aircraft in view, in any order.
     pub models: Vec<ModelInView>,
 }
 
-/// How a scene is looked at, for one frame.
-#[derive(Debug, Clone, Copy)]
-pub struct Sight<'a> {
-    /// From where.
-    pub camera: &'a Camera,
-    /// Local civil hours: the light.
-    pub time_h: f64,
-    /// Seconds of the scene's clock: how far clouds have formed.
-    pub clock_s: f64,
-    /// Width and height, pixels.
-    pub size: [u32; 2],
-    /// What is left out.
-    pub hidden: &'a Hidden,
-    /// The shapes of aircraft that have a file of their own.
-    pub meshes: &'a Meshes,
-    /// Where the eye has been; nowhere, for a still.
-    pub history: &'a ViewHistory,
-}
-
 impl<'a> Frame<'a> {
-    /// The still that `camera` sees of `scene` at `time_h`, at the beginning of the scene's clock, in `size` (width and
-    /// height in pixels). `derived` is the scene's.
-    pub fn new(
-        scene: &Scene,
-        derived: &'a Derived,
-        atlas: &'a Atlas,
-        camera: &Camera,
-        time_h: f64,
-        size: [u32; 2],
-    ) -> Self {
-        let (hidden, meshes, history) = (&Hidden::default(), &Meshes::default(), &ViewHistory::default());
-        Self::of(scene, derived, atlas, &Sight { camera, time_h, clock_s: 0.0, size, hidden, meshes, history })
-    }
-
-    /// What is seen of `scene`, whose `derived` is.
-    pub fn of(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight<'_>) -> Self {
-        let Sight { camera, time_h, clock_s, size, hidden, meshes, history } = *sight;
+    /// What is seen of `scene`, whose `derived` is, with the tiles of `atlas`. It is of as many pixels as the sight's rules
+    /// take samples.
+    pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
+        let Sight { camera, moment, size, hidden, meshes, history, rules } = sight;
         let (clouds, clouds_version) = (derived.clouds(), derived.version());
-        let view = View::new(camera, size[0], size[1]);
-        let light = Light::at(scene, time_h);
-        let formed = clouds.iter().map(|cloud| history.forming.formed(cloud.formation.as_ref(), clock_s));
+        let [width, height] = size.map(|length| length * rules.pixels_a_pixel());
+        let view = View::new(camera, width, height);
+        let light = Light::at(scene, moment.time_h.unwrap_or(scene.time_of_day_h));
+        let formed = clouds.iter().map(|cloud| rules.forming.formed(cloud.formation.as_ref(), moment.clock_s));
         let formed: Vec<Formed> = formed.collect();
-        let poses = Poses::new(clouds, clouds_version, &view, &history.facing);
-        let choice = Choice { clouds, formed: &formed, poses: &poses, hidden };
+        let kept = &Kept::new(rules.detail, clouds, atlas);
+        let mut poses = Poses::new(&rules.facing, clouds, clouds_version, &view, &history.facing);
+        if !kept.is_all() {
+            poses.retain(|cloud, sprite| kept.has(cloud, &clouds[cloud].sprites[sprite as usize], sprite));
+        }
+        let choice = Choice { clouds, formed: &formed, poses: &poses, kept, hidden };
         let (order, fading) = history.order.orders();
         Self {
             view,
@@ -102,8 +77,8 @@ impl<'a> Frame<'a> {
             formed,
             clouds_version,
             atlas,
-            filter: Filter::default(),
-            models: aircraft_in_view(scene, meshes, clock_s, view.eye),
+            rules: *rules,
+            models: aircraft_in_view(scene, meshes, moment.clock_s, view.eye),
         }
     }
 

@@ -28,7 +28,7 @@ static BUILT_IN: LazyLock<Arc<ModelMesh>> = LazyLock::new(|| {
 });
 
 /// The shapes of aircraft that have a file of their own, by its name.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Meshes(BTreeMap<String, Arc<ModelMesh>>);
 
 impl Meshes {

@@ -27,6 +27,12 @@ pub struct ModelMesh {
     version: Version,
 }
 
+impl PartialEq for ModelMesh {
+    fn eq(&self, other: &Self) -> bool {
+        self.version == other.version
+    }
+}
+
 impl ModelMesh {
     /// From vertices, three a triangle; one or two left over at the end are dropped.
     pub fn new(mut vertices: Vec<ModelVertex>) -> Self {

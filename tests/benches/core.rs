@@ -7,14 +7,18 @@
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{DrawSprite, FACES_EYE, sort_back_to_front};
-use cloudwright_core::facing::{FacingMemory, Pose, corners};
+use cloudwright_core::facing::{FacingMemory, FacingRule, Pose, corners};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, PIXELS_PER_DEGREE, flip, linear_error, wrong_order};
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::raster::fast;
 use cloudwright_core::scene::{Camera, CloudModel};
-use cloudwright_core::shading::{Formed, Light, corner_light};
+use cloudwright_core::shading::corner_light;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::{Atlas, PlacedCloud, populate};
+use cloudwright_core::weather::Formed;
+use cloudwright_core::weather::Light;
+use cloudwright_core::weather::Moment;
 use cloudwright_tests::authoring;
 use cloudwright_tests::small_scenes::heap;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
@@ -95,7 +99,7 @@ fn drawing(criterion: &mut Criterion) {
         let scene = make();
         let derived = Derived::new(&scene);
         let draw_from =
-            |camera: &Camera| Frame::new(&scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, [1280, 720]);
+            |camera: &Camera| Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(camera, [1280, 720]));
         for camera in scene.cameras.iter().filter(|camera| camera.name == "main") {
             group.bench_function(*name, |bencher| bencher.iter(|| fast::picture(&draw_from(camera))));
         }
@@ -124,7 +128,7 @@ fn flying(criterion: &mut Criterion) {
             bencher.iter(|| {
                 along_m = (along_m + 1.3) % 400.0;
                 let eye = middle + from_middle + DVec3::X * along_m;
-                memory.step(derived.clouds(), derived.version(), eye, Vec3::Y);
+                memory.step(&FacingRule::BOUNDED, derived.clouds(), derived.version(), eye, Vec3::Y);
                 memory.sprite_count()
             });
         });
@@ -136,7 +140,14 @@ fn measuring(criterion: &mut Criterion) {
     let scene = scene.unwrap_or_default();
     let derived = Derived::new(&scene);
     let pool = rayon::ThreadPoolBuilder::new().num_threads(1).build().expect("a thread");
-    let frame_at = |time_h| Frame::new(&scene, &derived, Atlas::built_in(), &scene.cameras[0], time_h, [1280, 720]);
+    let frame_at = |time_h| {
+        Frame::new(
+            &scene,
+            &derived,
+            Atlas::built_in(),
+            &Sight { moment: Moment::at_hour(time_h), ..Sight::still(&scene.cameras[0], [1280, 720]) },
+        )
+    };
     let frames = [frame_at(12.0), frame_at(12.25)];
     let shown = frames.each_ref().map(fast::picture);
     let linear = frames.each_ref().map(fast::linear_picture);

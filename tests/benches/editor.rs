@@ -16,12 +16,14 @@ use cloudwright::renderer::RendererChoice;
 use cloudwright::state::{Item, Selection};
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::detail::{Detail, Kept};
 use cloudwright_core::document::{Document, Edit, ListEdit};
 use cloudwright_core::draw_list::{Choice, DrawList, Hidden};
-use cloudwright_core::facing::{FacingMemory, Poses};
+use cloudwright_core::facing::{FacingMemory, FacingRule, Poses};
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem;
 use cloudwright_core::scene::{Cloud, CloudBox, CloudModel, Scene};
+use cloudwright_core::sprites::Atlas;
 use cloudwright_tests::{authoring, small_scenes};
 use egui::accesskit::Role;
 use egui::{Event, Modifiers, PointerButton};
@@ -150,8 +152,10 @@ fn measure(scene: &Scene, step: Step, steps: u32) -> [f64; PHASES.len()] {
         lap(&mut times);
         Arc::make_mut(&mut derived).update(document.scene(), &change);
         lap(&mut times);
-        let poses = &Poses::new(derived.clouds(), derived.version(), &view, &FacingMemory::default());
-        let choice = Choice { clouds: derived.clouds(), formed: &[], poses, hidden: &Hidden::default() };
+        let poses =
+            &Poses::new(&FacingRule::BOUNDED, derived.clouds(), derived.version(), &view, &FacingMemory::default());
+        let kept = &Kept::new(Detail::FULL, derived.clouds(), Atlas::built_in());
+        let choice = Choice { clouds: derived.clouds(), formed: &[], poses, kept, hidden: &Hidden::default() };
         black_box(DrawList::new(&choice, &view, None));
         lap(&mut times);
         times[5].push(begun.elapsed());

@@ -9,6 +9,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::fast;
 use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_render::{Gpu, Renderer};
 use cloudwright_tests::authoring;
@@ -44,7 +45,7 @@ fn main() {
 
 fn measure(name: &str, scene: &Scene, camera: &Camera, backends: &[Backend]) {
     let derived = Derived::new(scene);
-    let frame = Frame::new(scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, [1280, 720]);
+    let frame = Frame::new(scene, &derived, Atlas::built_in(), &Sight::still(camera, [1280, 720]));
     for backend in backends {
         match &backend.opened {
             Ok(opened) => {

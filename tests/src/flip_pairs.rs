@@ -11,8 +11,10 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::random::draw;
 use cloudwright_core::raster::{develop, fast, truth};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::watch::Watch;
+use cloudwright_core::weather::Moment;
 
 const SIZE: [u32; 2] = [128, 72];
 
@@ -43,7 +45,12 @@ fn render(scene: &str, camera: &str, later_h: f64, by: fn(&Frame<'_>) -> Picture
     let derived = Derived::new(&scene);
     let by_name = scene.cameras.iter().find(|each| each.name == camera);
     let camera = by_name.cloned().unwrap_or_else(|| scene.cameras[0].clone());
-    by(&Frame::new(&scene, &derived, Atlas::built_in(), &camera, scene.time_of_day_h + later_h, SIZE))
+    by(&Frame::new(
+        &scene,
+        &derived,
+        Atlas::built_in(),
+        &Sight { moment: Moment::at_hour(scene.time_of_day_h + later_h), ..Sight::still(&camera, SIZE) },
+    ))
 }
 
 fn altered(picture: &Picture, alter: impl Fn(&Picture, usize, usize) -> [i32; 3]) -> Picture {

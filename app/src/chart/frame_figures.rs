@@ -4,29 +4,31 @@
 //! changed between the two is compared with the truth's own change. Every figure is kept by itself, so a run that was
 //! broken off goes on at the place where it stopped.
 
-use super::easel::Shot;
+use super::charted::Drawing;
 use super::report::{Error, Figure, FrameFigures, Method, Stability};
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip, linear_error, opacity_error};
 
 impl FrameFigures {
     /// Compares what a method drew with the truth: a frame, and along a path the next one.
-    pub fn of(at_s: f64, shots: &[Shot], truths: &[Shot]) -> Self {
-        let (Some(shot), Some(truth)) = (shots.first(), truths.first()) else { return Self::default() };
-        let errors = flip(&truth.picture, &shot.picture, PIXELS_PER_DEGREE).ok();
-        let opacity = truth.clouds.as_ref().zip(shot.clouds.as_ref()).and_then(|(a, b)| opacity_error(a, b).ok());
+    pub fn of(at_s: f64, drawings: &[Drawing], truths: &[Drawing]) -> Self {
+        let (Some(drawing), Some(truth)) = (drawings.first(), truths.first()) else { return Self::default() };
+        let errors = flip(&truth.picture, &drawing.picture, PIXELS_PER_DEGREE).ok();
+        let opacity = truth.clouds.as_ref().zip(drawing.clouds.as_ref()).and_then(|(a, b)| opacity_error(a, b).ok());
         let mut stability = cloudwright_core::measure::Stability::new();
-        let steps =
-            shots.iter().zip(truths).filter_map(|(shot, truth)| stability.add(&shot.linear, &truth.linear).ok());
+        let steps = drawings
+            .iter()
+            .zip(truths)
+            .filter_map(|(drawing, truth)| stability.add(&drawing.linear, &truth.linear).ok());
         let changed = steps.flatten().last();
         Self {
             at_s,
             contrast: contrast(&truth.picture),
-            drawn_ms: Some(shots.iter().map(|shot| shot.drawn_ms).sum::<f64>() / shots.len() as f64),
+            drawn_ms: Some(drawings.iter().map(|drawing| drawing.drawn_ms).sum::<f64>() / drawings.len() as f64),
             error: Error {
                 flip_mean: errors.as_ref().map(|map| map.mean()),
                 flip_p99: errors.as_ref().map(|map| map.percentile(0.99).into()),
-                rmse: linear_error(&truth.linear, &shot.linear).ok().map(|error| error.rmse),
+                rmse: linear_error(&truth.linear, &drawing.linear).ok().map(|error| error.rmse),
                 opacity_max: opacity.map(|error| error.largest.into()),
             },
             excess_mean: changed.as_ref().map(|map| map.mean()),

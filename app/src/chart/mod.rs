@@ -1,20 +1,20 @@
 //! Speed against accuracy: methods are measured, and what was found becomes a file for programs and one for people.
 //!
-//! [`run`] measures: a [`subject`] is what all methods draw, an [`easel`] draws it by one of them, [`frame_figures`] are
-//! what one frame tells, a [`gallery`] is what the page shows. [`report`] is `chart.json`; [`front`] tells which methods
+//! [`run`] measures: a [`subject`] is what all methods draw, an [`charted`] draws it by one of them, [`frame_figures`] are
+//! what one frame tells, a [`pictures`] is what the page shows. [`report`] is `chart.json`; [`front`] tells which methods
 //! no other one beats; [`svg`] draws cost against error; [`heat`] colours a picture's errors; [`html`] puts it all on one
-//! page. But for `easel`, which reads the clock, these are pure functions: the same input gives the same bytes.
+//! page. But for `charted`, which reads the clock, these are pure functions: the same input gives the same bytes.
 
+pub mod charted;
 pub(crate) mod choice;
 mod columns;
-pub mod easel;
 pub mod frame_figures;
 pub mod front;
-pub mod gallery;
 pub mod heat;
 pub mod html;
 pub(crate) mod labels;
 pub(crate) mod log_axis;
+pub mod pictures;
 pub mod report;
 pub mod run;
 pub mod subject;

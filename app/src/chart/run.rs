@@ -4,14 +4,15 @@
 //! are taken of all methods in turn, the first round not counted, so that a slow minute hits all alike, and medians
 //! count. If one is missing, all are taken anew. The truth is timed as it is drawn for the errors, once at each place.
 
-use super::easel::{Easel, Shot, Times};
+use super::charted::{Charted, Drawing, Times};
 use super::frame_figures::mean;
-use super::gallery::Gallery;
+use super::pictures::Pictures;
 use super::report::{Cost, Counts, Figure, FrameFigures, LeftOut, Method, Report};
 use super::subject::Subject;
 use crate::renderer::RenderError;
 use cloudwright_core::image::Picture;
-use cloudwright_core::method::{Family, Renderer};
+use cloudwright_core::method::Family;
+use cloudwright_core::rules::Rasterizer;
 
 /// Of the places along a path, so many at most are timed.
 const TIMED: usize = 3;
@@ -25,8 +26,8 @@ pub type Keep<'a, E> = dyn FnMut(&Report) -> Result<(), E> + 'a;
 
 /// A chart that is being made.
 pub struct Run<'a> {
-    truth: Easel<'a>,
-    seats: Vec<Seat<'a>>,
+    truth: Charted<'a>,
+    measured: Vec<Measured<'a>>,
     places: Vec<Vec<f64>>,
     repeat: usize,
     /// The truth at places where this run has drawn it.
@@ -40,42 +41,42 @@ pub struct Run<'a> {
 }
 
 /// A method, and what is known of it.
-struct Seat<'a> {
-    easel: Easel<'a>,
+struct Measured<'a> {
+    charted: Charted<'a>,
     figures: Method,
     /// Of each round, at each place.
     rounds: Vec<Vec<Times>>,
 }
 
 impl<'a> Run<'a> {
-    /// Of the methods at `easels`, each timed `repeat` times (at least once). `known` is the report's head, and has what
+    /// Of the methods at `charted`, each timed `repeat` times (at least once). `known` is the report's head, and has what
     /// an earlier run measured of some of the methods.
     pub fn new(
         subject: &Subject<'_>,
-        truth: Easel<'a>,
-        easels: Vec<Easel<'a>>,
+        truth: Charted<'a>,
+        charted: Vec<Charted<'a>>,
         repeat: u32,
         known: Report,
         progress: &'a dyn Fn(f32),
     ) -> Self {
-        let seat = |easel: Easel<'a>| {
-            let name = easel.method.name;
+        let begin = |charted: Charted<'a>| {
+            let name = charted.method.name;
             let found = known.methods.iter().find(|method| method.name == name).cloned();
             let figures = found.unwrap_or_else(|| Method { name: name.into(), ..Method::default() });
-            let (settings, known_to_fail) = (easel.method.settings.in_words(), easel.method.family == Family::Failing);
-            Seat { easel, figures: Method { settings, known_to_fail, ..figures }, rounds: Vec::new() }
+            let (settings, known_to_fail) = (charted.method.rules.in_words(), charted.method.family == Family::Failing);
+            Measured { charted, figures: Method { settings, known_to_fail, ..figures }, rounds: Vec::new() }
         };
-        let seats: Vec<Seat<'_>> = easels.into_iter().map(seat).collect();
+        let measured: Vec<Measured<'_>> = charted.into_iter().map(begin).collect();
         let (places, repeat) = (subject.places(), repeat.max(1) as usize);
-        let errors = places.len() * (TRUTH_WEIGHT + ERROR_WEIGHT * seats.len());
-        let work = errors + (1 + (repeat + 1) * TIMED.min(places.len())) * seats.len();
+        let errors = places.len() * (TRUTH_WEIGHT + ERROR_WEIGHT * measured.len());
+        let work = errors + (1 + (repeat + 1) * TIMED.min(places.len())) * measured.len();
         let head = Report { methods: Vec::new(), ..known };
-        Self { truth, seats, places, repeat, truths: Vec::new(), head, progress, done: 0, work }
+        Self { truth, measured, places, repeat, truths: Vec::new(), head, progress, done: 0, work }
     }
 
     /// What is known so far.
     pub fn report(&self) -> Report {
-        let methods = self.seats.iter().map(|seat| seat.figures.clone()).collect();
+        let methods = self.measured.iter().map(|one| one.figures.clone()).collect();
         let mut report = Report { methods, ..self.head.clone() };
         report.mark_front();
         report
@@ -88,17 +89,17 @@ impl<'a> Run<'a> {
     pub fn measure_errors<E: From<RenderError>>(&mut self, keep: &mut Keep<'_, E>) -> Result<(), E> {
         for place in self.places.clone() {
             let at_s = place.first().copied().unwrap_or_default();
-            let lacks = |seat: &Seat<'_>| !seat.figures.frames.iter().any(|frame| frame.at_s == at_s);
-            let is_lacking = self.seats.iter().any(lacks);
+            let lacks = |one: &Measured<'_>| !one.figures.frames.iter().any(|frame| frame.at_s == at_s);
+            let is_lacking = self.measured.iter().any(lacks);
             self.head.unfinished |= is_lacking;
-            let truths = if is_lacking { shots(&mut self.truth, &place)? } else { Vec::new() };
-            self.truths.extend(truths.first().map(|shot| (at_s, shot.picture.clone())));
+            let truths = if is_lacking { drawings(&mut self.truth, &place)? } else { Vec::new() };
+            self.truths.extend(truths.first().map(|drawn| (at_s, drawn.picture.clone())));
             self.advance(TRUTH_WEIGHT);
-            self.each(keep, ERROR_WEIGHT, |seat| {
-                if lacks(seat) {
-                    let drawn = if seat.is_truth() { truths.clone() } else { shots(&mut seat.easel, &place)? };
-                    seat.figures.frames.push(FrameFigures::of(at_s, &drawn, &truths));
-                    seat.figures.sum_up();
+            self.each(keep, ERROR_WEIGHT, |one| {
+                if lacks(one) {
+                    let drawn = if one.is_truth() { truths.clone() } else { drawings(&mut one.charted, &place)? };
+                    one.figures.frames.push(FrameFigures::of(at_s, &drawn, &truths));
+                    one.figures.sum_up();
                 }
                 Ok(())
             })?;
@@ -112,25 +113,25 @@ impl<'a> Run<'a> {
     /// # Errors
     /// Those of `keep`.
     pub fn measure_costs<E>(&mut self, keep: &mut Keep<'_, E>) -> Result<(), E> {
-        if !self.head.unfinished && self.seats.iter().all(|seat| seat.figures.cost.frame_ms.is_some()) {
+        if !self.head.unfinished && self.measured.iter().all(|one| one.figures.cost.frame_ms.is_some()) {
             return Ok(());
         }
         self.head.unfinished = true;
         let firsts: Vec<f64> = self.places.iter().filter_map(|place| place.first().copied()).collect();
         let timed: Vec<f64> = firsts.iter().copied().step_by(firsts.len().div_ceil(TIMED).max(1)).collect();
         for round in 0..=self.repeat {
-            for seat in &mut self.seats {
+            for one in &mut self.measured {
                 if round <= 1 {
-                    seat.rounds.clear();
+                    one.rounds.clear();
                 }
-                seat.rounds.push(Vec::new());
+                one.rounds.push(Vec::new());
             }
             for at_s in &timed {
-                self.each(keep, 1, |seat| seat.time(*at_s))?;
+                self.each(keep, 1, |one| one.time(*at_s))?;
             }
         }
-        self.each(keep, 1, |seat| {
-            seat.figures.cost.counts = seat.counts(&timed);
+        self.each(keep, 1, |one| {
+            one.figures.cost.counts = one.counts(&timed);
             Ok(())
         })?;
         self.head.unfinished = false;
@@ -141,27 +142,27 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// None, since the truth needs no adapter.
-    pub fn draw(&mut self) -> Result<Gallery, RenderError> {
+    pub fn draw(&mut self) -> Result<Pictures, RenderError> {
         let at_s = self.telling();
         let known = self.truths.iter().position(|(known, _)| *known == at_s);
         let truth = match known {
             Some(index) => self.truths.swap_remove(index).1,
             None => self.truth.draw(at_s)?.picture,
         };
-        let mut gallery = Gallery::new(truth);
-        self.each(&mut |_| Ok::<(), RenderError>(()), 0, |seat| {
-            if !seat.is_truth() {
-                gallery.hang(seat.easel.method, seat.easel.draw(at_s)?.picture);
+        let mut pictures = Pictures::new(truth);
+        self.each(&mut |_| Ok::<(), RenderError>(()), 0, |one| {
+            if !one.is_truth() {
+                pictures.add(one.charted.method, one.charted.draw(at_s)?.picture);
             }
             Ok(())
         })?;
-        Ok(gallery)
+        Ok(pictures)
     }
 
     /// The place with the largest product of contrast and error.
     fn telling(&self) -> f64 {
         let worth = |at_s: f64| -> f64 {
-            let frames = self.seats.iter().flat_map(|seat| &seat.figures.frames).filter(|frame| frame.at_s == at_s);
+            let frames = self.measured.iter().flat_map(|one| &one.figures.frames).filter(|frame| frame.at_s == at_s);
             frames.map(|frame| frame.contrast * frame.error.flip_mean.unwrap_or_default()).sum()
         };
         let places = self.places.iter().filter_map(|place| place.first().copied());
@@ -174,14 +175,14 @@ impl<'a> Run<'a> {
         &mut self,
         keep: &mut Keep<'_, E>,
         weight: usize,
-        mut work: impl FnMut(&mut Seat<'_>) -> Result<(), RenderError>,
+        mut work: impl FnMut(&mut Measured<'_>) -> Result<(), RenderError>,
     ) -> Result<(), E> {
         let mut index = 0;
-        while let Some(seat) = self.seats.get_mut(index) {
-            match work(seat) {
+        while let Some(one) = self.measured.get_mut(index) {
+            match work(one) {
                 Ok(()) => index += 1,
                 Err(error) => {
-                    let name = self.seats.remove(index).figures.name;
+                    let name = self.measured.remove(index).figures.name;
                     self.head.left_out.push(LeftOut { name, reason: error.to_string() });
                 }
             }
@@ -197,14 +198,14 @@ impl<'a> Run<'a> {
     }
 }
 
-impl Seat<'_> {
+impl Measured<'_> {
     fn is_truth(&self) -> bool {
-        self.easel.method.settings.renderer == Renderer::Truth
+        self.charted.method.rules.rasterizer == Rasterizer::Truth
     }
 
     fn time(&mut self, at_s: f64) -> Result<(), RenderError> {
         if !self.is_truth() {
-            let times = self.easel.time(at_s)?;
+            let times = self.charted.time(at_s)?;
             if let Some(round) = self.rounds.last_mut() {
                 round.push(times);
             }
@@ -234,7 +235,7 @@ impl Seat<'_> {
 
     /// On average over the places.
     fn counts(&mut self, timed: &[f64]) -> Counts {
-        let counted: Vec<_> = timed.iter().map(|at_s| self.easel.counts(*at_s)).collect();
+        let counted: Vec<_> = timed.iter().map(|at_s| self.charted.counts(*at_s)).collect();
         let average = |of: &dyn Fn(&cloudwright_core::measure::Counts) -> f64| {
             counted.iter().map(of).sum::<f64>() / counted.len().max(1) as f64
         };
@@ -253,8 +254,8 @@ impl Seat<'_> {
     }
 }
 
-fn shots(easel: &mut Easel<'_>, place: &[f64]) -> Result<Vec<Shot>, RenderError> {
-    place.iter().map(|at_s| easel.draw(*at_s)).collect()
+fn drawings(charted: &mut Charted<'_>, place: &[f64]) -> Result<Vec<Drawing>, RenderError> {
+    place.iter().map(|at_s| charted.draw(*at_s)).collect()
 }
 
 /// The upper one of two in the middle; none of none.

@@ -2,35 +2,15 @@
 
 use super::report::View;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::flight::PathCurve;
-use cloudwright_core::model_in_view::Meshes;
-use cloudwright_core::scene::{Camera, CameraPath, Scene};
+use cloudwright_core::scene::{CameraPath, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 
 /// From one frame of a flight to the next, seconds: 30 a second, as flights are drawn.
 pub const FRAME_S: f64 = 1.0 / 30.0;
 /// Places along a path. At each two frames are drawn by the truth, which takes most of a chart's time.
 const PLACES: usize = 5;
-
-/// From where.
-#[derive(Debug, Clone, Copy)]
-pub enum Eye<'a> {
-    /// A still.
-    Camera(&'a Camera),
-    /// A flight.
-    Path(&'a CameraPath),
-}
-
-impl Eye<'_> {
-    /// As the report says it.
-    pub fn view(&self) -> View {
-        match self {
-            Self::Camera(camera) => View::Camera(camera.name.clone()),
-            Self::Path(path) => View::Path(path.name.clone()),
-        }
-    }
-}
 
 /// A scene, and how it is looked at.
 #[derive(Debug, Clone, Copy)]
@@ -41,25 +21,18 @@ pub struct Subject<'a> {
     pub derived: &'a Derived,
     /// Its atlas.
     pub atlas: &'a Atlas,
-    /// The shapes of its aircraft.
-    pub meshes: &'a Meshes,
-    /// From where.
-    pub eye: Eye<'a>,
-    /// Width and height, pixels.
-    pub size: [u32; 2],
-    /// Local civil hours.
-    pub time_h: f64,
-    /// Of the scene's clock, seconds; along a path it begins with the flight.
-    pub clock_s: f64,
-    /// What is left out.
-    pub hidden: &'a Hidden,
+    /// How it is looked at, but for the rules, which are each method's; along a path the camera is the path's, and the
+    /// clock begins with the flight.
+    pub sight: &'a Sight,
+    /// The flight; none for a still.
+    pub path: Option<&'a CameraPath>,
 }
 
 impl Subject<'_> {
     /// The moments to draw at each place, seconds of the clock: a frame and the next one; one alone for a still, or for
     /// a flight that has no second frame.
     pub fn places(&self) -> Vec<Vec<f64>> {
-        let Eye::Path(path) = self.eye else { return vec![vec![self.clock_s]] };
+        let Some(path) = self.path else { return vec![vec![self.sight.moment.clock_s]] };
         // Roundings don't cost a path its last frame.
         let steps = (PathCurve::new(path).duration_s() / FRAME_S + 1e-6).floor();
         if steps < 1.0 {
@@ -72,7 +45,15 @@ impl Subject<'_> {
 
     /// Whether the eye moves.
     pub fn flies(&self) -> bool {
-        matches!(self.eye, Eye::Path(_))
+        self.path.is_some()
+    }
+
+    /// As the report says it.
+    pub fn view(&self) -> View {
+        match self.path {
+            Some(path) => View::Path(path.name.clone()),
+            None => View::Camera(self.sight.camera.name.clone()),
+        }
     }
 
     /// Whether any of its clouds forms or dissipates.

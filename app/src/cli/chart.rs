@@ -8,17 +8,19 @@ mod known;
 use super::failure::Failure;
 use super::progress::Progress;
 use super::{answer, arguments, input, render, say};
-use crate::chart::easel::Easel;
+use crate::chart::charted::Charted;
 use crate::chart::report::Report;
 use crate::chart::run::Run;
-use crate::chart::subject::{Eye, Subject};
+use crate::chart::subject::Subject;
 use crate::chart::{choice, front, html, report, text};
 use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
+use cloudwright_core::flight::PathCurve;
 use cloudwright_core::method::{self, METHODS, Method};
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{Camera, CameraPath, Scene};
+use cloudwright_core::sight::Sight;
+use cloudwright_core::weather::Moment;
 use cloudwright_render::AdapterChoice;
 use std::fmt::Write;
 use std::path::PathBuf;
@@ -81,28 +83,27 @@ Methods:\n"
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     render::check_memory(arguments.size, 2)?;
     let (scene, beside) = opening::open(&arguments.scene)?;
-    let eye = eye(&scene, arguments)?;
+    let (camera, path) = eye(&scene, arguments)?;
     let derived = Derived::new(&scene);
     if derived.clouds().iter().all(|cloud| cloud.sprites.is_empty()) {
         let what = format!("{}: clouds: there are no sprites, so all methods draw the same", arguments.scene.display());
         return Err(Failure::argument(what, "add a cloud, with boxes in its model"));
     }
-    let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
-    let (atlas, meshes) = (beside.sheet(), beside.meshes());
-    let (size, hidden) = (arguments.size, &Hidden::default());
-    let subject = Subject { scene: &scene, derived: &derived, atlas, meshes, eye, size, time_h, clock_s: 0.0, hidden };
-    let (easels, left_out) = choice::easels(&subject, &arguments.methods);
-    if easels.is_empty() {
+    let moment = Moment { time_h: arguments.time, ..Moment::default() };
+    let sight = &Sight { moment, ..Sight::still(&camera, arguments.size) };
+    let subject = Subject { scene: &scene, derived: &derived, atlas: beside.sheet(), sight, path };
+    let (charted, left_out) = choice::charted(&subject, &arguments.methods);
+    if charted.is_empty() {
         let reasons: Vec<String> = left_out.iter().map(|one| format!("{}: {}", one.name, one.reason)).collect();
         let what = format!("--methods: none is left: {}", reasons.join("; "));
         return Err(Failure::argument(opening::one_line(&what), "leave --methods out for all that make sense"));
     }
-    let adapters: Vec<String> = easels.iter().filter_map(Easel::adapter).collect();
+    let adapters: Vec<String> = charted.iter().filter_map(Charted::adapter).collect();
     let head = Report {
         scene: scene.name.clone(),
         size: arguments.size,
         adapter: adapters.into_iter().next().unwrap_or_else(|| "CPU".into()),
-        view: Some(eye.view()),
+        view: Some(subject.view()),
         left_out,
         input: known::input(&arguments.scene, &subject)?,
         ..Report::default()
@@ -117,8 +118,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
     let progress = Progress::start("charting");
     let hear = |share| progress.set(share);
-    let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?;
-    let mut run = Run::new(&subject, truth, easels, arguments.repeat, known, &hear);
+    let truth = Charted::new(subject, method::truth(), &AdapterChoice::Any)?;
+    let mut run = Run::new(&subject, truth, charted, arguments.repeat, known, &hear);
     let mut kept_at = None::<Instant>;
     let mut keep = |report: &Report| {
         // More often than that would cost more than what it saves.
@@ -129,14 +130,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         Ok::<(), Failure>(())
     };
     run.measure_errors(&mut keep)?;
-    let gallery = run.draw()?;
+    let pictures = run.draw()?;
     let write_page = |report: &Report| {
-        let looks = gallery.looks();
+        let looks = pictures.looks();
         let text =
-            html::write(&html::Page { report, truth: &gallery.truth, looks: &looks, tolerance: arguments.tolerance })
+            html::write(&html::Page { report, truth: &pictures.truth, looks: &looks, tolerance: arguments.tolerance })
                 .map_err(|error| {
-                Failure::could_not(format!("the page can't be packed: {error}"), "try a smaller --size")
-            })?;
+                    Failure::could_not(format!("the page can't be packed: {error}"), "try a smaller --size")
+                })?;
         Ok::<(), Failure>(storage::write_atomic(&page, text.as_bytes()).map(drop)?)
     };
     write_page(&run.report())?;
@@ -153,13 +154,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn eye<'a>(scene: &'a Scene, arguments: &Arguments) -> Result<Eye<'a>, Failure> {
+/// The flight, if there is one, and the camera at its start or of the still.
+fn eye<'a>(scene: &'a Scene, arguments: &Arguments) -> Result<(Camera, Option<&'a CameraPath>), Failure> {
     let file = &arguments.scene;
-    match (&arguments.camera, &arguments.path) {
-        (None, Some(name)) => Ok(Eye::Path(input::path(scene, file, name)?)),
-        (None, None) if let Some(path) = scene.paths.iter().find(|path| path.keys.len() > 1) => Ok(Eye::Path(path)),
-        (name, _) => Ok(Eye::Camera(input::camera(scene, file, name.as_deref())?)),
-    }
+    let path = match (&arguments.camera, &arguments.path) {
+        (None, Some(name)) => Some(input::path(scene, file, name)?),
+        (None, None) => scene.paths.iter().find(|path| path.keys.len() > 1),
+        (Some(_), _) => None,
+    };
+    let camera = match path {
+        Some(path) => PathCurve::new(path).camera_at(0.0),
+        None => input::camera(scene, file, arguments.camera.as_deref())?.clone(),
+    };
+    Ok((camera, path))
 }
 
 fn json_text(report: &Report) -> Result<String, Failure> {

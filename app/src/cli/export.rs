@@ -9,7 +9,7 @@ use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::sprites_json::Shaded;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
-use cloudwright_core::shading::Light;
+use cloudwright_core::weather::Light;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]

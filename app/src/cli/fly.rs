@@ -7,20 +7,22 @@ mod frames;
 mod video;
 
 use super::failure::Failure;
-use super::painter::Painter;
+use super::painter::{Painter, PainterArguments};
 use super::progress::Progress;
 use super::{arguments, input, render, say};
-use crate::renderer::RendererChoice;
 use crate::units::time_of_day;
 use crate::{opening, picture_png, storage};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::{Hidden, Sorting};
-use cloudwright_core::facing::FacingRule;
+use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::flight::Playback;
-use cloudwright_core::frame::{Frame, Sight};
+use cloudwright_core::frame::Frame;
+use cloudwright_core::sight::Sight;
+use cloudwright_core::watch::Watch;
+use cloudwright_core::weather::Moment;
 use frames::Frames;
 use std::ops::Range;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -50,24 +52,20 @@ pub(super) struct Arguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = arguments::picture_size)]
     size: [u32; 2],
-    /// What draws
-    #[arg(long, value_enum, default_value_t)]
-    renderer: RendererChoice,
+    #[command(flatten)]
+    painter: PainterArguments,
     /// Time of day; the scene's if not given
     #[arg(long, value_name = "HH:MM", value_parser = time_of_day)]
     time: Option<f64>,
-    /// Samples a pixel, a square number up to 64
-    #[arg(long = "samples", value_name = "N", default_value = "1", value_parser = arguments::samples_side)]
-    side: u32,
-    /// When sprites are sorted again: a sprite that comes before another pops unless it is faded over
-    #[arg(long, value_enum, default_value_t)]
-    sorting: SortingChoice,
+    /// When sprites are sorted again, each-frame if not given: a sprite that comes before another pops unless it is faded
+    /// over
+    #[arg(long, value_enum, conflicts_with_all = ["method", "truth"])]
+    sorting: Option<SortingChoice>,
 }
 
-#[derive(Debug, Clone, Copy, Default, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, clap::ValueEnum)]
 enum SortingChoice {
     /// For every frame
-    #[default]
     EachFrame,
     /// Every half second, faded over; some 20 % slower
     Crossfade,
@@ -75,17 +73,19 @@ enum SortingChoice {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_video = video::is_name(&arguments.output);
-    render::check_memory(arguments.size, arguments.side)?;
+    let mut rules = arguments.painter.rules()?;
+    match arguments.sorting {
+        Some(SortingChoice::EachFrame) => rules.sorting = Sorting::EachFrame,
+        Some(SortingChoice::Crossfade) => rules.sorting = Sorting::Crossfade,
+        None => {}
+    }
+    render::check_memory(arguments.size, rules.pixels_a_pixel())?;
     if is_video {
         video::check_size(arguments.size)?;
     }
     let (scene, beside) = opening::open(&arguments.scene)?;
     let path = input::path(&scene, &arguments.scene, &arguments.path)?;
-    let sorting = match arguments.sorting {
-        SortingChoice::EachFrame => Sorting::EachFrame,
-        SortingChoice::Crossfade => Sorting::Crossfade,
-    };
-    let mut playback = Playback::new(path, FacingRule::default(), sorting);
+    let mut playback = Playback::new(path, rules);
     let numbers = frames::chosen(arguments.frames.clone(), playback.duration_s(), arguments.fps)?;
     let folder = if is_video { video::frames_folder(&arguments.output) } else { arguments.output.clone() };
     let frames = Frames { folder, path_name: frames::file_name_of(&path.name), size: arguments.size };
@@ -95,9 +95,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     frames.make_folder(numbers.start)?;
 
     let derived = Derived::new(&scene);
-    let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
-    let mut painter = Painter::new(arguments.renderer)?;
-    let size = arguments.size.map(|length| length * arguments.side);
+    let mut painter = Painter::new(&arguments.painter, rules)?;
     let progress = Progress::start("flying");
     let mut kept = 0;
     for (done, number) in numbers.clone().enumerate() {
@@ -108,10 +106,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
         let clock_s = f64::from(number) / f64::from(arguments.fps);
         let (camera, history) = playback.seek(&derived, clock_s);
-        let (camera, hidden) = (&camera, &Hidden::default());
-        let meshes = beside.meshes();
-        let sight = Sight { camera, time_h, clock_s, size, hidden, meshes, history };
-        let picture = painter.picture(&Frame::of(&scene, &derived, beside.sheet(), &sight), arguments.side)?;
+        let sight = Sight {
+            moment: Moment { clock_s, time_h: arguments.time },
+            meshes: beside.meshes().clone(),
+            history: Arc::clone(history),
+            rules: painter.rules,
+            ..Sight::still(&camera, arguments.size)
+        };
+        let frame = Frame::new(&scene, &derived, beside.sheet(), &sight);
+        let picture = painter.picture(frame, &Watch::default())?;
         let png = picture_png::encode(&picture).map_err(|error| {
             Failure::could_not(format!("frame {number} can't be packed: {error}"), "try a smaller --size")
         })?;

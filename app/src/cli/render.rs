@@ -1,31 +1,27 @@
 //! `cloudwright render`: a picture of a scene, without a window.
 
 use super::failure::Failure;
-use super::painter::{self, Painter};
+use super::painter::{Painter, PainterArguments};
 use super::progress::Progress;
-use super::{arguments, input, say};
-use crate::renderer::RendererChoice;
+use super::{arguments, input};
 use crate::units::time_of_day;
 use crate::{opening, picture_png, storage};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::{Frame, Sight};
-use cloudwright_core::image::Picture;
-use cloudwright_core::raster;
-use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::sight::Sight;
+use cloudwright_core::weather::Moment;
 use std::path::PathBuf;
 
 /// Samples of one picture held in memory at once: 4K with 16 samples a pixel fits, some 4 GB at the most.
 const MAX_SAMPLES: u64 = 1 << 27;
-/// Without `--samples`, the truth has 4 × 4.
-const TRUTH_SIDE: u32 = 4;
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   cloudwright render fair_weather.cloudscene -o sky.png
   cloudwright render storm.cloudscene -o storm.png --camera cockpit --time 18:30 --size 1920x1080
   cloudwright render storm.cloudscene -o smooth.png --samples 4 --renderer cpu
-  cloudwright render storm.cloudscene -o truth.png --truth --samples 64")]
+  cloudwright render storm.cloudscene -o truth.png --truth --samples 64
+  cloudwright render storm.cloudscene -o half.png --method half")]
 pub(super) struct Arguments {
     /// Scene to draw
     scene: PathBuf,
@@ -44,56 +40,33 @@ pub(super) struct Arguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = arguments::picture_size)]
     size: [u32; 2],
-    /// What draws
-    #[arg(long, value_enum, default_value_t)]
-    renderer: RendererChoice,
-    /// Order the fragments of every ray by their own depth: slow, what errors are measured against (on the CPU)
-    #[arg(long)]
-    truth: bool,
-    /// Samples a pixel, a square number up to 64; 1 if not given, 16 for --truth
-    #[arg(long = "samples", value_name = "N", value_parser = arguments::samples_side)]
-    side: Option<u32>,
+    #[command(flatten)]
+    painter: PainterArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     check_output_name(arguments)?;
-    if arguments.truth && arguments.renderer == RendererChoice::Gpu {
-        return Err(Failure::argument("--truth runs on the CPU", "leave --renderer gpu or --truth out"));
-    }
+    let rules = arguments.painter.rules()?;
     let (scene, beside) = opening::open(&arguments.scene)?;
     let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
     input::check_output(&arguments.scene, &arguments.output)?;
-    let time_h = arguments.time.unwrap_or(scene.time_of_day_h);
+    check_memory(arguments.size, rules.pixels_a_pixel())?;
     let derived = Derived::new(&scene);
-    let (hidden, history) = (&Hidden::default(), &ViewHistory::default());
-    let frame = |size| {
-        let sight = Sight { camera, time_h, clock_s: arguments.at, size, hidden, meshes: beside.meshes(), history };
-        Frame::of(&scene, &derived, beside.sheet(), &sight)
+    let mut painter = Painter::new(&arguments.painter, rules)?;
+    let sight = Sight {
+        moment: Moment { clock_s: arguments.at, time_h: arguments.time },
+        meshes: beside.meshes().clone(),
+        rules: painter.rules,
+        ..Sight::still(camera, arguments.size)
     };
-    let picture = if arguments.truth { truth(arguments, frame)? } else { fast(arguments, frame)? };
+    let progress = Progress::start("rendering");
+    let frame = Frame::new(&scene, &derived, beside.sheet(), &sight);
+    let picture = painter.picture(frame, progress.watch())?;
+    drop(progress);
     let png = picture_png::encode(&picture)
         .map_err(|error| Failure::could_not(format!("the picture can't be packed: {error}"), "try a smaller --size"))?;
     storage::write_atomic(&arguments.output, &png)?;
     Ok(())
-}
-
-fn fast<'a>(arguments: &Arguments, frame: impl Fn([u32; 2]) -> Frame<'a>) -> Result<Picture, Failure> {
-    let side = arguments.side.unwrap_or(1);
-    check_memory(arguments.size, side)?;
-    let mut painter = Painter::new(arguments.renderer)?;
-    let _progress = Progress::start("rendering");
-    Ok(painter.picture(&frame(arguments.size.map(|length| length * side)), side)?)
-}
-
-fn truth<'a>(arguments: &Arguments, frame: impl Fn([u32; 2]) -> Frame<'a>) -> Result<Picture, Failure> {
-    let side = arguments.side.unwrap_or(TRUTH_SIDE);
-    check_memory(arguments.size, 1)?;
-    say(&format!("renderer: CPU, truth with {} samples a pixel", side * side));
-    let frame = frame(arguments.size);
-    painter::tell_what_is_left_out(&frame);
-    let progress = Progress::start("rendering the truth");
-    let linear = raster::truth::linear_picture(&frame, side, progress.watch());
-    Ok(raster::develop(&linear, frame.exposure))
 }
 
 fn check_output_name(arguments: &Arguments) -> Result<(), Failure> {

@@ -1,7 +1,9 @@
 //! Charting from frame to frame: what would be measured now, and whether what was measured is still of that.
 
 use super::Editor;
-use crate::state::{ChartChange, ChartEye, ChartSubject};
+use crate::state::{ChartChange, ChartSubject};
+use cloudwright_core::sight::Sight;
+use cloudwright_core::weather::Moment;
 
 impl Editor {
     /// Once a frame: what has been measured meanwhile, and whether it is still of what is seen.
@@ -26,39 +28,35 @@ impl Editor {
     /// What would be measured now: the path, if there is one that leads anywhere, or the view.
     fn looked_at(&self, along_path: bool) -> ChartSubject {
         let Self { session, view, clock, .. } = self;
-        let eye = match along_path.then(|| clock.path_to_fly(session.scene())).flatten() {
-            Some(path) => ChartEye::Path(Box::new(path.clone())),
-            None => ChartEye::View { camera: Box::new(self.camera().clone()), clock_s: self.forming_s() },
-        };
-        ChartSubject { revision: session.revision(), eye, hour: self.hour(), hidden: view.hidden_in(session.scene()) }
+        let path = along_path.then(|| clock.path_to_fly(session.scene())).flatten().cloned();
+        let width_px = self.charting.width_px;
+        let size = [width_px, (width_px as f32 / self.viewport.aspect()).round().max(1.0) as u32];
+        let hidden = view.hidden_in(session.scene());
+        let sight = Sight { moment: self.moment(), hidden, ..Sight::still(self.camera(), size) };
+        ChartSubject { revision: session.revision(), sight, path }
     }
 
     /// Whether that would be measured now as it was then. A path of the same revision is the same.
-    fn still_looks_at(&self, of: &ChartSubject) -> bool {
+    fn still_looks_at(&self, ChartSubject { revision, sight, path }: &ChartSubject) -> bool {
         let Self { session, view, clock, .. } = self;
-        let same_eye = || match &of.eye {
-            ChartEye::Path(path) => clock.path(session.scene()).is_some_and(|chosen| chosen.id == path.id),
-            ChartEye::View { camera, clock_s } => **camera == *self.camera() && *clock_s == self.forming_s(),
+        let now = self.moment();
+        let same_eye = || match path {
+            Some(path) => clock.path(session.scene()).is_some_and(|chosen| chosen.id == path.id),
+            None => sight.camera == *self.camera() && sight.moment.clock_s == now.clock_s,
         };
-        let same_scene = of.revision == session.revision() && of.hour == self.hour();
-        same_scene && same_eye() && of.hidden == view.hidden_in(session.scene())
+        let same_scene = *revision == session.revision() && sight.moment.time_h == now.time_h;
+        same_scene && same_eye() && sight.hidden == view.hidden_in(session.scene())
     }
 
-    /// The clock, seconds; 0 where nothing forms, since it shows nowhere there.
-    fn forming_s(&self) -> f64 {
+    /// That of the view; the beginning of the clock where nothing forms, since it shows nowhere there.
+    fn moment(&self) -> Moment {
         let forms = self.session.scene().clouds.iter().any(|cloud| cloud.formation.is_some());
-        if forms { self.clock.time_s() } else { 0.0 }
-    }
-
-    fn hour(&self) -> f64 {
-        self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
+        Moment { clock_s: if forms { self.clock.time_s() } else { 0.0 }, time_h: self.time_play.hour() }
     }
 
     fn measure(&mut self, context: &egui::Context) {
         let of = self.looked_at(self.charting.along_path);
-        let width_px = self.charting.width_px;
-        let size = [width_px, (width_px as f32 / self.viewport.aspect()).round().max(1.0) as u32];
         let has_device = self.viewport.has_device();
-        self.charting.measure(&self.session, of, size, has_device, context);
+        self.charting.measure(&self.session, of, has_device, context);
     }
 }

@@ -5,7 +5,7 @@ use crate::widget::{Fields, Kept, fields, kept};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter as p;
 use cloudwright_core::scene::{Cloud, Formation, FormationChange};
-use cloudwright_core::shading::Formed;
+use cloudwright_core::weather::Formed;
 use egui::Ui;
 
 /// `clouds` has at least one, the one whose values are shown.

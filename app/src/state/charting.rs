@@ -4,18 +4,18 @@
 //! is measured anew; that the scene or the view has changed since is said, not hidden.
 
 use super::Session;
-use crate::chart::easel::Easel;
+use crate::chart::charted::Charted;
 use crate::chart::report::Report;
 use crate::chart::run::Run;
-use crate::chart::subject::{Eye, Subject};
+use crate::chart::subject::Subject;
 use crate::chart::{choice, html};
 use crate::opening::Beside;
 use crate::renderer::RenderError;
 use crate::worker::Latest;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::method;
-use cloudwright_core::scene::{Camera, CameraPath, Scene};
+use cloudwright_core::scene::{CameraPath, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;
 use cloudwright_render::AdapterChoice;
@@ -42,8 +42,8 @@ pub(crate) struct Charting {
     pub(crate) tolerance: f64,
     /// The flicker instead of the error, if there is one.
     pub(crate) shows_flicker: bool,
-    /// Begins with the first wish.
-    worker: Option<Latest<Wish, ()>>,
+    /// Begins with the first request.
+    worker: Option<Latest<Request, ()>>,
     work: Option<Work>,
     measured: Option<Measured>,
     trouble: Option<String>,
@@ -65,19 +65,10 @@ pub(crate) enum ChartChange {
 pub(crate) struct ChartSubject {
     /// Of the session.
     pub(crate) revision: Version,
-    /// From where.
-    pub(crate) eye: ChartEye,
-    /// Of the day, hours.
-    pub(crate) hour: f64,
-    /// What is not drawn.
-    pub(crate) hidden: Hidden,
-}
-
-/// Where a chart's pictures are seen from.
-#[derive(Debug, Clone)]
-pub(crate) enum ChartEye {
-    View { camera: Box<Camera>, clock_s: f64 },
-    Path(Box<CameraPath>),
+    /// As in [`Subject`].
+    pub(crate) sight: Sight,
+    /// The flight; none for the view as it stands.
+    pub(crate) path: Option<CameraPath>,
 }
 
 struct Measured {
@@ -100,12 +91,11 @@ impl Drop for Work {
     }
 }
 
-struct Wish {
+struct Request {
     scene: Arc<Scene>,
     derived: Arc<Derived>,
     beside: Beside,
     of: ChartSubject,
-    size: [u32; 2],
     /// Whether the window has a device that draws.
     has_device: bool,
     progress: Arc<Watch>,
@@ -175,21 +165,14 @@ impl Charting {
         }
     }
 
-    /// Measures that, off the frame, in pictures of `size` pixels; on the CPU alone unless the window `has_device`.
-    pub(crate) fn measure(
-        &mut self,
-        session: &Session,
-        of: ChartSubject,
-        size: [u32; 2],
-        has_device: bool,
-        context: &egui::Context,
-    ) {
+    /// Measures that, off the frame; on the CPU alone unless the window `has_device`.
+    pub(crate) fn measure(&mut self, session: &Session, of: ChartSubject, has_device: bool, context: &egui::Context) {
         if session.derived().clouds().iter().all(|cloud| cloud.sprites.is_empty()) {
             self.trouble = Some("there are no sprites, so all methods draw the same".into());
             return;
         }
         self.trouble = self
-            .begin(session, of, size, has_device, context)
+            .begin(session, of, has_device, context)
             .err()
             .map(|error| format!("the system gives no thread: {error}"));
     }
@@ -203,7 +186,6 @@ impl Charting {
         &mut self,
         session: &Session,
         of: ChartSubject,
-        size: [u32; 2],
         has_device: bool,
         context: &egui::Context,
     ) -> std::io::Result<()> {
@@ -211,10 +193,10 @@ impl Charting {
             Some(worker) => worker,
             None => {
                 let wake = context.clone();
-                let work = |wish: Wish| {
-                    if let Err(Ended::Trouble(trouble)) = measure(&wish) {
+                let work = |request: Request| {
+                    if let Err(Ended::Trouble(trouble)) = measure(&request) {
                         // Nobody may listen any more.
-                        let _ = wish.tell.send(Err(trouble));
+                        let _ = request.tell.send(Err(trouble));
                     }
                 };
                 Latest::start_beside_the_window("charting", work, move || wake.request_repaint())?
@@ -225,7 +207,7 @@ impl Charting {
         let (scene, derived, beside) = session.to_draw();
         let work = Work { news, progress: Arc::clone(&progress), stop: Arc::clone(&stop), of: of.clone() };
         let context = context.clone();
-        worker.ask(Wish { scene, derived, beside, of, size, has_device, progress, stop, tell, context });
+        worker.ask(Request { scene, derived, beside, of, has_device, progress, stop, tell, context });
         self.worker = Some(worker);
         self.work = Some(work);
         Ok(())
@@ -259,22 +241,17 @@ impl From<RenderError> for Ended {
     }
 }
 
-fn measure(wish: &Wish) -> Result<(), Ended> {
-    let Wish { scene, derived, beside, of, size, has_device, progress, stop, tell, context } = wish;
-    let (eye, clock_s) = match &of.eye {
-        ChartEye::View { camera, clock_s } => (Eye::Camera(camera), *clock_s),
-        ChartEye::Path(path) => (Eye::Path(path), 0.0),
-    };
-    let (atlas, meshes, hidden) = (beside.sheet(), beside.meshes(), &of.hidden);
-    let subject = Subject { scene, derived, atlas, meshes, eye, size: *size, time_h: of.hour, clock_s, hidden };
+fn measure(request: &Request) -> Result<(), Ended> {
+    let Request { scene, derived, beside, of, has_device, progress, stop, tell, context } = request;
+    let subject = Subject { scene, derived, atlas: beside.sheet(), sight: &of.sight, path: of.path.as_ref() };
     // Whoever has the CPU draw in the window wants no device opened.
     let asked = if *has_device { Vec::new() } else { choice::on_the_cpu() };
-    let (easels, left_out) = choice::easels(&subject, &asked);
-    let easels = easels.into_iter().map(|easel| easel.until(stop)).collect();
-    let head = Report { size: *size, view: Some(eye.view()), left_out, ..Report::default() };
-    let truth = Easel::new(subject, method::truth(), &AdapterChoice::Any)?.until(stop);
+    let (charted, left_out) = choice::charted(&subject, &asked);
+    let charted = charted.into_iter().map(|one| one.until(stop)).collect();
+    let head = Report { size: of.sight.size, view: Some(subject.view()), left_out, ..Report::default() };
+    let truth = Charted::new(subject, method::truth(), &AdapterChoice::Any)?.until(stop);
     let hear = |share| progress.reach(share);
-    let mut run = Run::new(&subject, truth, easels, ROUNDS, head, &hear);
+    let mut run = Run::new(&subject, truth, charted, ROUNDS, head, &hear);
     let mut keep = |report: &Report| {
         if stop.is_cancelled() {
             return Err(Ended::Stopped);

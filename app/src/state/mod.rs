@@ -16,7 +16,7 @@ mod time_play;
 mod view;
 
 pub(crate) use action::{Action, ViewChange};
-pub(crate) use charting::{ChartChange, ChartEye, ChartSubject, Charting, WIDTHS_PX};
+pub(crate) use charting::{ChartChange, ChartSubject, Charting, WIDTHS_PX};
 pub(crate) use clock::{CLOCK_SPEED, Clock, ClockChange};
 pub(crate) use reading::Reading;
 pub use selection::{Choose, Item, Selection};

@@ -113,6 +113,11 @@ impl Session {
         self.revision
     }
 
+    /// What lies beside the scene's file.
+    pub(crate) fn beside(&self) -> &Beside {
+        &self.beside
+    }
+
     /// Scene, clouds and what lies beside them to draw from, shared.
     pub(crate) fn to_draw(&self) -> (Arc<Scene>, Arc<Derived>, Beside) {
         (Arc::clone(&self.shown), Arc::clone(&self.derived), self.beside.clone())

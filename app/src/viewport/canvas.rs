@@ -1,15 +1,16 @@
 //! The picture with the lens before it: what is drawn by which method, and what each remembers of the view's way.
 //!
-//! The truth sees a view as the shipped rules remember it. A method with other rules, or with fewer sprites, needs a
-//! memory of its own beside that one, and the memory by the truth's rules goes on through all changes of method.
+//! The truth sees a view as the shipped rules remember it. A method that goes by others needs a memory of its own beside
+//! that one, and the memory by the truth's rules goes on through all changes of method.
 
-use super::brush::{Brush, Place};
 use super::lens::LensSource;
-use super::picture::{PictureSource, Shot};
+use super::memory::{Memory, Place};
+use super::picture::PictureSource;
 use crate::renderer::RendererChoice;
 use crate::state::{Lens, Reading};
-use cloudwright_core::facing::FacingMemory;
-use cloudwright_core::method::{self, Renderer, Settings};
+use cloudwright_core::method;
+use cloudwright_core::rules::{Rasterizer, Rules};
+use cloudwright_core::sight::Sight;
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, Painter, Rect, Ui, pos2};
 use std::time::Duration;
@@ -18,10 +19,10 @@ use std::time::Duration;
 pub(super) struct Canvas {
     picture: PictureSource,
     lens: LensSource,
-    /// By the truth's rules, of all sprites.
-    true_brush: Brush,
-    /// The method's, if it goes by others or drops sprites.
-    own_brush: Option<Brush>,
+    /// By the truth's rules.
+    true_memory: Memory,
+    /// By the method's, if it goes by others.
+    own_memory: Option<Memory>,
 }
 
 impl Canvas {
@@ -29,15 +30,15 @@ impl Canvas {
         Self {
             picture: PictureSource::new(context, choice, device),
             lens: LensSource::new(context),
-            true_brush: Brush::default(),
-            own_brush: None,
+            true_memory: Memory::new(method::truth().rules),
+            own_memory: None,
         }
     }
 
     /// The view is put elsewhere.
     pub(super) fn begin_anew(&mut self) {
-        self.true_brush.begin_anew();
-        self.own_brush = None;
+        self.true_memory.begin_anew();
+        self.own_memory = None;
     }
 
     /// Which renderer draws.
@@ -47,7 +48,7 @@ impl Canvas {
 
     /// Whether the window has a device that draws.
     pub(super) fn has_device(&self) -> bool {
-        self.picture.own_settings().renderer == Renderer::Gpu
+        self.picture.own_rules().rasterizer == Rasterizer::Gpu
     }
 
     /// Whether that draws aircraft too.
@@ -66,7 +67,7 @@ impl Canvas {
     }
 
     /// Has drawn what is to be seen in `rect`, and shows what is there of it. While a hand moves something, `quick`
-    /// lets a slow renderer draw less. How sprites face the view.
+    /// lets a slow renderer draw less. How marks at all sprites are to see them.
     pub(super) fn show(
         &mut self,
         ui: &mut Ui,
@@ -75,26 +76,23 @@ impl Canvas {
         place: &Place<'_>,
         quick: bool,
         reading: &Reading<'_>,
-    ) -> FacingMemory {
+    ) -> Sight {
         let (session, view) = (reading.session, reading.view);
-        let own = || Settings { sorting: view.sorting, ..self.picture.own_settings() };
-        let settings = view.method.map_or_else(own, |method| method.settings);
-        let truth = self.true_brush.shot(&method::truth().settings, place, reading);
-        let is_alike = settings.history() == method::truth().settings.history() && settings.kept >= 1.0;
-        let shot = if is_alike {
-            self.own_brush = None;
-            Shot { settings, ..truth.clone() }
+        let own = || Rules { sorting: view.sorting, ..self.picture.own_rules() };
+        let rules = view.method.map_or_else(own, |method| method.rules);
+        let truth = self.true_memory.sight(&method::truth().rules, place, reading);
+        let sight = if rules.remember_as(&truth.rules) {
+            self.own_memory = None;
+            Sight { rules, ..truth.clone() }
         } else {
-            self.own_brush.get_or_insert_default().shot(&settings, place, reading)
+            self.own_memory.get_or_insert_with(|| Memory::new(rules)).sight(&rules, place, reading)
         };
-        // Marks are at all sprites, whatever is drawn.
-        let facing = if shot.clouds.is_none() { &shot.history } else { &truth.history }.facing.clone();
         match view.lens {
             Lens::Picture => self.lens.put_away(),
             _ if quick => self.lens.wait(),
-            lens => self.lens.ask(lens, session, shot.clone(), truth),
+            lens => self.lens.ask(lens, session, sight.clone(), truth),
         }
-        self.picture.ask(session, shot, quick);
+        self.picture.ask(session, sight.clone(), quick);
         match self.picture.texture() {
             Some(texture) => {
                 let whole = Rect::from_min_max(pos2(0.0, 0.0), pos2(1.0, 1.0));
@@ -108,6 +106,6 @@ impl Canvas {
             let name = view.method.map_or("picture", |method| method.name);
             self.lens.show(ui, painter, rect, view.lens, name);
         }
-        facing
+        sight
     }
 }

@@ -8,10 +8,12 @@ use super::pick;
 use super::screen::Screen;
 use crate::state::{Item, Reading, Selection, SpriteMarks, ViewState};
 use crate::theme;
-use cloudwright_core::facing::{FacingMemory, Pose, Poses, corners};
+use cloudwright_core::facing::{FacingRule, Pose, Poses, corners};
 use cloudwright_core::scene::{Cloud, ModelId};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
+use cloudwright_core::view_history::ViewHistory;
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape, Vec2, vec2};
 use glam::Vec3;
 use std::collections::BTreeSet;
@@ -37,12 +39,13 @@ struct Key {
     selection: Selection,
     hidden: [BTreeSet<Item>; 2],
     clock_s: f64,
-    memory: FacingMemory,
+    facing: FacingRule,
+    history: Arc<ViewHistory>,
 }
 
 impl Marks {
-    /// Paints them. `memory` is the picture's.
-    pub(super) fn paint(&mut self, painter: &Painter, screen: &Screen, memory: &FacingMemory, reading: &Reading<'_>) {
+    /// Paints them. `sight` is the picture's.
+    pub(super) fn paint(&mut self, painter: &Painter, screen: &Screen, sight: &Sight, reading: &Reading<'_>) {
         let view = reading.view;
         let any_selected = view.selection.sprites().next().is_some();
         if view.sprite_marks == SpriteMarks::Off && !view.group_view && !any_selected {
@@ -58,21 +61,23 @@ impl Marks {
             selection: view.selection.clone(),
             hidden: [view.hidden.clone(), view.solo.clone()],
             clock_s: reading.clock.time_s(),
-            memory: memory.clone(),
+            facing: sight.rules.facing,
+            history: Arc::clone(&sight.history),
         };
         let mesh = match self.shown.take() {
             Some((shown, mesh)) if shown == key => mesh,
-            _ => Arc::new(mesh(screen, memory, reading)),
+            _ => Arc::new(mesh(screen, sight, reading)),
         };
         painter.add(Shape::Mesh(Arc::clone(&mesh)));
         self.shown = Some((key, mesh));
     }
 }
 
-fn mesh(screen: &Screen, memory: &FacingMemory, reading: &Reading<'_>) -> Mesh {
+fn mesh(screen: &Screen, sight: &Sight, reading: &Reading<'_>) -> Mesh {
     let view = reading.view;
     let derived = reading.session.derived();
-    let poses = Poses::new(derived.clouds(), derived.version(), &screen.view, memory);
+    let poses =
+        Poses::new(&sight.rules.facing, derived.clouds(), derived.version(), &screen.view, &sight.history.facing);
     let clouds: Vec<(&Cloud, &PlacedCloud)> = marked(reading);
     let count: usize = clouds.iter().map(|(_, placed)| placed.sprites.len()).sum();
     let every = count.div_ceil(MOST).max(1);

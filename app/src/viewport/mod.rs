@@ -6,7 +6,6 @@
 
 mod bounds;
 mod box_tool;
-mod brush;
 mod cameras;
 mod canvas;
 mod faces;
@@ -34,11 +33,10 @@ mod wireframe;
 use crate::renderer::RendererChoice;
 use crate::state::{Action, Choose, Item, Reading, Selection, Session, Tool, ViewChange};
 use box_tool::BoxTool;
-use brush::Place;
 use canvas::Canvas;
 use cloudwright_core::camera::View;
-use cloudwright_core::facing::FacingMemory;
 use cloudwright_core::scene::{Camera, PathId};
+use cloudwright_core::sight::Sight;
 use eframe::egui_wgpu::RenderState;
 use egui::{CursorIcon, Painter, Response, Sense, Ui, Vec2};
 use faces::Faces;
@@ -47,6 +45,7 @@ use glam::DVec3;
 use hud::Readout;
 use marks::Marks;
 use marquee::Marquee;
+use memory::Place;
 use navigation::Navigation;
 use paths::Paths;
 use pick::{Clicks, Picked};
@@ -227,8 +226,8 @@ impl Viewport {
         let seat = self.keep_seat(seat);
         let screen = Screen::new(self.camera(), rect);
         let painter = ui.painter_at(rect);
-        let facing = self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
-        self.marks.paint(&painter, &screen, &facing, reading);
+        let sight = self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
+        self.marks.paint(&painter, &screen, &sight, reading);
         wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
         cameras::paint(&painter, &screen, reading);
         let ridden = self.ride.as_ref().map(|ride| ride.path);
@@ -272,7 +271,7 @@ impl Viewport {
         None
     }
 
-    /// How sprites face the view, by what it has seen on its way.
+    /// How marks at sprites are to see them.
     fn paint_picture(
         &mut self,
         ui: &mut Ui,
@@ -280,7 +279,7 @@ impl Viewport {
         painter: &Painter,
         seat: Option<&Seat>,
         reading: &Reading<'_>,
-    ) -> FacingMemory {
+    ) -> Sight {
         let session = reading.session;
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
         let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();

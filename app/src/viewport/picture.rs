@@ -7,22 +7,16 @@
 mod by_cpu;
 mod by_gpu;
 
-use crate::opening::Beside;
 use crate::renderer::RendererChoice;
 use crate::state::Session;
 use by_cpu::ByCpu;
 use by_gpu::ByGpu;
-use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::{Frame, Sight};
 use cloudwright_core::image::Picture;
-use cloudwright_core::method::{Renderer, Settings};
-use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::rules::{Rasterizer, Rules};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::version::Version;
-use cloudwright_core::view_history::ViewHistory;
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, ColorImage, TextureId};
-use std::sync::Arc;
 use std::time::Duration;
 
 /// While a hand moves something, pictures should take no longer.
@@ -38,47 +32,7 @@ const MAX_SIDE: u32 = 8192;
 #[derive(PartialEq)]
 struct Key {
     revision: Version,
-    shot: Shot,
-}
-
-/// How the scene is looked at, and by which method.
-#[derive(Clone, PartialEq)]
-pub(super) struct Shot {
-    pub(super) settings: Settings,
-    pub(super) camera: Camera,
-    /// Local civil hours.
-    pub(super) hour: f64,
-    /// Seconds of the scene's clock.
-    pub(super) clock_s: f64,
-    /// Pixels.
-    pub(super) size: [u32; 2],
-    /// What is left out.
-    pub(super) hidden: Hidden,
-    /// What the view has seen on its way.
-    pub(super) history: ViewHistory,
-    /// Instead of the scene's own.
-    pub(super) clouds: Option<Clouds>,
-}
-
-/// Clouds that some sprites were dropped from.
-#[derive(Clone)]
-pub(super) struct Clouds(pub(super) Arc<Derived>);
-
-impl PartialEq for Clouds {
-    fn eq(&self, other: &Self) -> bool {
-        self.0.version() == other.0.version()
-    }
-}
-
-impl Shot {
-    /// `derived` are the scene's own clouds.
-    pub(super) fn frame<'a>(&'a self, scene: &Scene, derived: &'a Derived, beside: &'a Beside) -> Frame<'a> {
-        let Self { settings, camera, hour, clock_s, size, hidden, history, clouds } = self;
-        let meshes = beside.meshes();
-        let sight = Sight { camera, time_h: *hour, clock_s: *clock_s, size: *size, hidden, meshes, history };
-        let derived = clouds.as_ref().map_or(derived, |clouds| &clouds.0);
-        settings.frame(scene, derived, beside.sheet(), &sight)
-    }
+    sight: Sight,
 }
 
 /// Draws the viewport's pictures.
@@ -107,14 +61,14 @@ impl PictureSource {
     }
 
     /// What draws unless a method is chosen.
-    pub(super) fn own_settings(&self) -> Settings {
-        let renderer = if self.gpu.is_some() { Renderer::Gpu } else { Settings::SHIPPED.renderer };
-        Settings { renderer, ..Settings::SHIPPED }
+    pub(super) fn own_rules(&self) -> Rules {
+        let rasterizer = if self.gpu.is_some() { Rasterizer::Gpu } else { Rules::SHIPPED.rasterizer };
+        Rules { rasterizer, ..Rules::SHIPPED }
     }
 
     /// The device, if the last picture is its.
     fn gpu_in_use(&self) -> Option<&ByGpu> {
-        let by_gpu = self.asked.as_ref().is_none_or(|key| key.shot.settings.renderer == Renderer::Gpu);
+        let by_gpu = self.asked.as_ref().is_none_or(|key| key.sight.rules.rasterizer == Rasterizer::Gpu);
         self.gpu.as_deref().filter(|_| by_gpu)
     }
 
@@ -147,23 +101,23 @@ impl PictureSource {
 
     /// Has a picture drawn if it would be another than the last one. While a hand moves something, `quick` lets a slow
     /// renderer draw less.
-    pub(super) fn ask(&mut self, session: &Session, mut shot: Shot, quick: bool) {
-        if self.gpu.is_none() && shot.settings.renderer == Renderer::Gpu {
-            shot.settings.renderer = Settings::SHIPPED.renderer;
+    pub(super) fn ask(&mut self, session: &Session, mut sight: Sight, quick: bool) {
+        if self.gpu.is_none() && sight.rules.rasterizer == Rasterizer::Gpu {
+            sight.rules.rasterizer = Rules::SHIPPED.rasterizer;
         }
-        let by_gpu = shot.settings.renderer == Renderer::Gpu;
+        let rasterizer = sight.rules.rasterizer;
+        let by_gpu = rasterizer == Rasterizer::Gpu;
         let last = self.cpu.as_ref().and_then(ByCpu::last);
-        let renderer = shot.settings.renderer;
-        self.coarseness = if quick && !by_gpu { coarseness(renderer, self.coarseness, last) } else { 1 };
-        shot.size = shot.size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
-        let key = Key { revision: session.revision(), shot };
+        self.coarseness = if quick && !by_gpu { coarseness(rasterizer, self.coarseness, last) } else { 1 };
+        sight.size = sight.size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
+        let key = Key { revision: session.revision(), sight };
         if self.asked.as_ref() == Some(&key) {
             return;
         }
         match self.gpu.as_mut().filter(|_| by_gpu) {
             Some(gpu) => {
                 self.cpu = None;
-                if let Err(error) = gpu.draw(session, &key.shot) {
+                if let Err(error) = gpu.draw(session, &key.sight) {
                     self.trouble = Some(error.to_string());
                     self.gpu = None;
                     self.context.request_repaint();
@@ -172,7 +126,7 @@ impl PictureSource {
             }
             None => {
                 let cpu = self.cpu.get_or_insert_with(|| ByCpu::new(&self.context));
-                cpu.ask(session, &key.shot, self.coarseness);
+                cpu.ask(session, &key.sight, self.coarseness);
             }
         }
         self.asked = Some(key);
@@ -194,9 +148,9 @@ pub(super) fn image(picture: &Picture) -> ColorImage {
 
 /// How coarse the next picture of a gesture is to be, from `last`, the time of one and how coarse that was. It gets no
 /// finer than the gesture's pictures so far, lest it flicker between the two.
-fn coarseness(renderer: Renderer, so_far: u32, last: Option<(Duration, u32)>) -> u32 {
-    // It is never quick, and its last picture may have been another renderer's.
-    if renderer == Renderer::Truth {
+fn coarseness(rasterizer: Rasterizer, so_far: u32, last: Option<(Duration, u32)>) -> u32 {
+    // It is never quick, and its last picture may have been another rasterizer's.
+    if rasterizer == Rasterizer::Truth {
         return COARSEST;
     }
     let Some((time, drawn_at)) = last else { return so_far };
@@ -210,11 +164,11 @@ mod tests {
 
     #[test]
     fn pictures_of_a_gesture_get_coarser_until_they_are_quick() {
-        let fast = Settings::SHIPPED.renderer;
+        let fast = Rules::SHIPPED.rasterizer;
         let after = |so_far, ms, drawn_at| coarseness(fast, so_far, Some((Duration::from_millis(ms), drawn_at)));
         assert_eq!([after(1, 30, 1), after(1, 100, 1), after(1, 300, 1), after(1, 9000, 1)], [1, 2, 4, 4]);
         assert_eq!([after(2, 30, 2), after(2, 50, 2), after(4, 5, 4), after(4, 500, 4)], [2, 4, 4, 4]);
         assert_eq!(coarseness(fast, 1, None), 1);
-        assert_eq!(coarseness(Renderer::Truth, 1, Some((Duration::from_millis(5), 1))), COARSEST);
+        assert_eq!(coarseness(Rasterizer::Truth, 1, Some((Duration::from_millis(5), 1))), COARSEST);
     }
 }

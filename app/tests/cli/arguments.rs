@@ -18,6 +18,10 @@ const CASES: &[(&str, i32, &[&str])] = &[
     ("render good.cloudscene -o out.png --size 4096x4096 --samples 64", 2, &["--samples", "lower"]),
     ("render good.cloudscene -o out.png --truth --size 16384x16384", 2, &["--size", "lower"]),
     ("render good.cloudscene -o out.png --truth --renderer gpu", 2, &["--truth", "CPU"]),
+    ("render good.cloudscene -o out.png --method turth", 2, &["--method", "did you mean `truth`?"]),
+    ("render good.cloudscene -o out.png --method half --truth", 2, &["--method", "--truth"]),
+    ("render good.cloudscene -o out.png --method half --renderer gpu", 2, &["--method half", "CPU"]),
+    ("render good.cloudscene -o out.png --method gpu --renderer cpu", 2, &["--method gpu", "GPU"]),
     ("render good.cloudscene -o out.png --renderer fast", 2, &["--renderer", "auto"]),
     ("render good.cloudscene -o out.png --time 24:00", 2, &["--time", "23:59"]),
     ("render good.cloudscene -o out.png --time noon", 2, &["--time", "18:30"]),
@@ -44,6 +48,9 @@ const CASES: &[(&str, i32, &[&str])] = &[
     ("good.cloudscene", 3, &["no display", "cloudwright render"]),
     ("", 3, &["no display", "cloudwright render"]),
     ("fly good.cloudscene", 2, &["--path", "--output", "--help"]),
+    ("fly good.cloudscene --path a -o out --method turth", 2, &["--method", "did you mean `truth`?"]),
+    ("fly good.cloudscene --path a -o out --method half --sorting crossfade", 2, &["--method", "--sorting"]),
+    ("fly good.cloudscene --path a -o out --truth --renderer gpu", 2, &["--truth", "CPU"]),
     ("flip good.cloudscene", 2, &["good.cloudscene", "--help"]),
 ];
 

@@ -54,6 +54,23 @@ fn a_frame_is_the_same_alone_or_in_a_sequence() {
 }
 
 #[test]
+fn methods_are_chosen_by_name() {
+    let place = place();
+    for (folder, named, said) in [
+        ("truth", "--method truth --samples 4", "--truth --samples 4"),
+        ("crossfade", "--method crossfade", "--sorting crossfade"),
+        ("samples", "--method four-samples", "--samples 4"),
+    ] {
+        fly(&place, &format!("-o {folder} --frames 8..9 {named}"));
+        fly(&place, &format!("-o {folder}_said --frames 8..9 {said}"));
+        let (named_so, said_so) = (frame(folder, 8), frame(&format!("{folder}_said"), 8));
+        assert!(place.read(&named_so) == place.read(&said_so), "{named} is not {said}");
+    }
+    fly(&place, "-o plain --frames 8..9");
+    assert!(place.read(&frame("plain", 8)) != place.read(&frame("truth", 8)));
+}
+
+#[test]
 fn a_broken_run_goes_on() {
     let place = place();
     fly(&place, "-o out --frames 0..5");

@@ -85,6 +85,30 @@ fn samples_and_truth_draw_the_same_scene() {
     assert!(difference(&plain, &draw(&place, "--renderer cpu --samples 16")) > 0.0, "edges are smoother");
 }
 
+/// A method by its name is what the other options ask for, to the byte.
+#[test]
+fn methods_are_chosen_by_name() {
+    let place = Place::new();
+    for (named, said) in [
+        ("--method truth", "--truth"),
+        ("--method truth --samples 4", "--truth --samples 4"),
+        ("--method fast", "--renderer cpu"),
+        ("--method fast --renderer cpu --samples 4", "--renderer cpu --samples 4"),
+        ("--method four-samples", "--renderer cpu --samples 4"),
+        ("--method four-samples --samples 1", "--renderer cpu"),
+        // In a still there is no older order, and nothing was locked on the way.
+        ("--method crossfade", "--renderer cpu"),
+    ] {
+        assert!(draw(&place, named).pixels == draw(&place, said).pixels, "{named} is not {said}");
+    }
+    let plain = draw(&place, "--renderer cpu");
+    for other in ["quarter", "no-mips", "eight-bits", "view-plane"] {
+        assert!(difference(&plain, &draw(&place, &format!("--method {other}"))) > 0.0, "{other}");
+    }
+    let ran = place.run("render good.cloudscene -o out.png --size 64x36 --method four-samples");
+    assert!(ran.stderr.contains("renderer: CPU, four-samples with 4 samples a pixel"), "{}", ran.stderr);
+}
+
 #[test]
 fn an_old_picture_is_replaced_only_by_a_whole_one() {
     let place = Place::new();

@@ -8,14 +8,17 @@
 //! eye bring a pose of their own; those that it has faded away, and clouds that have not begun to form, are left out.
 
 mod order;
+mod sorting;
 
-pub use order::{FADE_STEPS, OrderMemory, Ranks, Sorting};
+pub use order::{FADE_STEPS, OrderMemory, Ranks};
+pub use sorting::{LastSort, LazySorting, Sorting};
 
 use crate::camera::View;
+use crate::detail::Kept;
 use crate::facing::{Pose, Poses};
 use crate::scene::{BoxId, CloudId};
-use crate::shading::Formed;
 use crate::sprites::PlacedCloud;
+use crate::weather::Formed;
 use glam::Vec3;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -63,6 +66,8 @@ pub struct Choice<'a> {
     pub formed: &'a [Formed],
     /// The sprites near the eye.
     pub poses: &'a Poses,
+    /// The sprites that are drawn by the detail asked for.
+    pub kept: &'a Kept<'a>,
     /// What is not to be drawn.
     pub hidden: &'a Hidden,
 }
@@ -79,7 +84,7 @@ impl DrawList {
     }
 
     fn unsorted(choice: &Choice<'_>, view: &View) -> Self {
-        let Choice { clouds, formed, poses, hidden } = choice;
+        let Choice { clouds, formed, poses, kept, hidden } = choice;
         // Asked once, so that sprites are looked up only while boxes are hidden.
         let some_boxes = !hidden.boxes.is_empty();
         let first_pose: Vec<u32> = (0..clouds.len())
@@ -101,7 +106,8 @@ impl DrawList {
                 let center = offset + sprite.position;
                 let shows = view.sees_sphere(center, sprite.reach())
                     && pose.is_none_or(|(posed, _)| posed.pose.fade > 0.0)
-                    && !(some_boxes && hidden.boxes.contains(&sprite.box_id));
+                    && !(some_boxes && hidden.boxes.contains(&sprite.box_id))
+                    && kept.has(cloud_index, sprite, index);
                 let pose = pose.map_or(FACES_EYE, |(_, pose)| pose);
                 shows.then_some(DrawSprite { cloud: cloud_index as u32, sprite: index, center, pose })
             })

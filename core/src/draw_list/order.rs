@@ -1,28 +1,14 @@
 //! In what order one view draws sprites from frame to frame.
 //!
 //! Sorting each frame is right for each frame, and sprites that change places pop. W names the mend: keep the old order
-//! for a while and cross-fade to the new one, at the price of drawing twice while it fades. The lazy ways of other
-//! programs are in [`crate::variants::LazySorting`]. Whatever the way, an order is the place of every sprite, those out
-//! of view included: the head may turn before the next one is made.
+//! for a while and cross-fade to the new one, at the price of drawing twice while it fades. Whatever the way, an order
+//! is the place of every sprite, those out of view included: the head may turn before the next one is made.
 
-use super::DrawList;
+use super::{DrawList, LastSort, Sorting};
 use crate::camera::View;
 use crate::sprites::PlacedCloud;
-use crate::variants::LazySorting;
 use crate::version::Version;
 use std::sync::Arc;
-
-/// When sprites are sorted again.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Sorting {
-    /// For every frame.
-    #[default]
-    EachFrame,
-    /// Every half second, faded over (W).
-    Crossfade,
-    /// Kept for charts and tests.
-    Variant(LazySorting),
-}
 
 /// Steps from one order to the next: half a second.
 pub const FADE_STEPS: u32 = 30;
@@ -36,36 +22,29 @@ pub struct Ranks {
 /// The order that a view draws in, and the one that it comes from.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OrderMemory {
-    sorting: Sorting,
     version: Option<Version>,
     newest: Option<Arc<Ranks>>,
     /// Fades out.
     older: Option<Arc<Ranks>>,
     /// Steps since the newest was made.
     age: u32,
-    lazy: crate::variants::LazyState,
+    last: LastSort,
 }
 
 impl OrderMemory {
-    /// Of nothing yet.
-    pub fn new(sorting: Sorting) -> Self {
-        Self { sorting, ..Self::default() }
-    }
-
-    /// Goes on to `view`.
-    pub fn step(&mut self, clouds: &[PlacedCloud], version: Version, view: &View) {
-        if self.sorting == Sorting::EachFrame {
+    /// Goes on to `view` by `sorting`.
+    pub fn step(&mut self, sorting: &Sorting, clouds: &[PlacedCloud], version: Version, view: &View) {
+        if *sorting == Sorting::EachFrame {
             return;
         }
         let known = self.version == Some(version);
         let Some(newest) = self.newest.as_mut().filter(|_| known) else {
-            *self = Self { version: Some(version), ..Self::new(self.sorting) };
-            self.lazy.sorted_at(view);
-            self.newest = Some(Arc::new(Ranks::from_afar(clouds, view)));
+            let newest = Some(Arc::new(Ranks::from_afar(clouds, view)));
+            *self = Self { version: Some(version), newest, last: LastSort::at(view), ..Self::default() };
             return;
         };
         self.age += 1;
-        match self.sorting {
+        match sorting {
             Sorting::EachFrame => {}
             Sorting::Crossfade if self.age < FADE_STEPS => {}
             Sorting::Crossfade => {
@@ -73,7 +52,7 @@ impl OrderMemory {
                 self.older = Some(std::mem::replace(newest, next));
                 self.age = 0;
             }
-            Sorting::Variant(lazy) => self.lazy.step(lazy, Arc::make_mut(newest), clouds, view),
+            Sorting::Lazy(lazy) => (lazy.step)(&mut self.last, Arc::make_mut(newest), clouds, view),
         }
     }
 

@@ -18,7 +18,6 @@ use rustc_hash::FxHashMap;
 /// What one view remembers of the sprites around it.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct FacingMemory {
-    rule: FacingRule,
     /// At the last step.
     eye: Option<DVec3>,
     /// Of the clouds that it remembers.
@@ -37,18 +36,9 @@ pub(super) struct Remembered {
 }
 
 impl FacingMemory {
-    /// Of nothing yet.
-    pub fn new(rule: FacingRule) -> Self {
-        Self { rule, ..Self::default() }
-    }
-
-    pub(super) fn rule(&self) -> FacingRule {
-        self.rule
-    }
-
-    /// Goes on to `eye`. The first step, and one after the clouds have changed (`version`), remembers nothing: sprites
+    /// Goes on to `eye` by `rule`. The first step, and one after the clouds have changed (`version`), remembers nothing: sprites
     /// near the eye face it, upright by `camera_up`.
-    pub fn step(&mut self, clouds: &[PlacedCloud], version: Version, eye: DVec3, camera_up: Vec3) {
+    pub fn step(&mut self, rule: &FacingRule, clouds: &[PlacedCloud], version: Version, eye: DVec3, camera_up: Vec3) {
         let known = self.knows(version);
         let mut next: FxHashMap<u32, Vec<Remembered>> = FxHashMap::default();
         for (index, cloud) in (0..).zip(clouds) {
@@ -58,7 +48,7 @@ impl FacingMemory {
                 continue;
             }
             let mut remembered = Vec::with_capacity(before.len());
-            to_eye.each(cloud, before, self.rule, (true, camera_up), |sprite, keeps| {
+            to_eye.each(cloud, before, rule, (true, camera_up), |sprite, keeps| {
                 if keeps {
                     remembered.push(sprite);
                 }
@@ -84,6 +74,7 @@ impl FacingMemory {
     /// than `nearest` metres among them. `known`: whether what is remembered is of these clouds.
     pub(super) fn poses_of(
         &self,
+        rule: &FacingRule,
         (index, cloud): (u32, &PlacedCloud),
         known: bool,
         view: &View,
@@ -96,7 +87,7 @@ impl FacingMemory {
         // Without a history the poles are the still's affair.
         let polar_too = last.is_some();
         if !before.is_empty() || to_eye.is_near(cloud) || (polar_too && to_eye.is_polar(cloud)) {
-            to_eye.each(cloud, before, self.rule, (polar_too, view.up), |sprite, _| found(sprite.sprite, sprite.pose));
+            to_eye.each(cloud, before, rule, (polar_too, view.up), |sprite, _| found(sprite.sprite, sprite.pose));
         }
     }
 
@@ -139,7 +130,7 @@ impl ToEye {
         &self,
         cloud: &PlacedCloud,
         before: &[Remembered],
-        rule: FacingRule,
+        rule: &FacingRule,
         (polar_too, camera_up): (bool, Vec3),
         mut found: impl FnMut(Remembered, bool),
     ) {
@@ -148,7 +139,7 @@ impl ToEye {
             let remembered = before.next_if(|remembered| remembered.sprite == index);
             let to_eye = self.now - sprite.position;
             let distance_squared = to_eye.length_squared();
-            let shell = rule.reach() * lock_distance(sprite.radius());
+            let shell = rule.reach * lock_distance(sprite.radius());
             let within = |distance: f32| distance_squared < distance * distance;
             // sin² of the elevation, without the root.
             let polar = to_eye.y * to_eye.y > upright::POLE[0] * upright::POLE[0] * distance_squared;
@@ -158,7 +149,7 @@ impl ToEye {
             }
             let past = remembered.copied().unwrap_or_else(|| self.past(sprite, index, camera_up));
             let faced = if within(shell) { past.faced } else { unit_or(to_eye, past.faced) };
-            let Locked { towards, fade } = rule.turn(to_eye, faced, lock_distance(sprite.radius()));
+            let Locked { towards, fade } = (rule.turn)(to_eye, faced, lock_distance(sprite.radius()));
             let up = upright::carry(past.pose.up, past.pose.towards, towards);
             let keeps = within(shell) || polar || up != upright::world(towards, up);
             found(Remembered { sprite: index, faced, pose: Pose { towards, up, fade } }, keeps);

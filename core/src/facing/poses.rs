@@ -1,7 +1,7 @@
 //! The poses of all sprites that don't simply face a far eye, in one view at one moment.
 
 use super::lock::{near_fade, near_reach};
-use super::{FacingMemory, Pose};
+use super::{FacingMemory, FacingRule, Pose};
 use crate::camera::View;
 use crate::sprites::PlacedCloud;
 use crate::version::Version;
@@ -23,16 +23,23 @@ pub struct Poses {
 }
 
 impl Poses {
-    /// Those that `view` sees, with its history. What is near the eye but was never seen from afar faces the eye.
-    pub fn new(clouds: &[PlacedCloud], version: Version, view: &View, memory: &FacingMemory) -> Self {
-        if memory.rule().is_in_view_plane() {
+    /// Those that `view` sees by `rule`, by which its `memory` has stepped. What is near the eye but was never seen from
+    /// afar faces the eye.
+    pub fn new(
+        rule: &FacingRule,
+        clouds: &[PlacedCloud],
+        version: Version,
+        view: &View,
+        memory: &FacingMemory,
+    ) -> Self {
+        if rule.across_view {
             return Self { clouds: clouds.iter().map(|cloud| in_view_plane(cloud, view)).collect() };
         }
         let reach = near_reach(view);
         let known = memory.knows(version);
         let of_cloud = |(index, cloud): (usize, &PlacedCloud)| {
             let mut posed = Vec::new();
-            memory.poses_of((index as u32, cloud), known, view, 2.0 * reach, |sprite, mut pose| {
+            memory.poses_of(rule, (index as u32, cloud), known, view, 2.0 * reach, |sprite, mut pose| {
                 let to_eye = (view.eye - cloud.origin).as_vec3() - cloud.sprites[sprite as usize].position;
                 pose.fade *= near_fade(pose.towards.dot(to_eye), reach);
                 posed.push(Posed { sprite, pose });
@@ -40,6 +47,13 @@ impl Poses {
             posed
         };
         Self { clouds: clouds.par_iter().enumerate().with_min_len(16).map(of_cloud).collect() }
+    }
+
+    /// Drops those for which `keeps` is false, asked for a cloud's index and a sprite's.
+    pub fn retain(&mut self, keeps: impl Fn(usize, u32) -> bool) {
+        for (index, posed) in self.clouds.iter_mut().enumerate() {
+            posed.retain(|posed| keeps(index, posed.sprite));
+        }
     }
 
     /// Those of the cloud of that index.

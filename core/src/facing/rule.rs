@@ -1,38 +1,28 @@
-//! Which rule sprites near the eye follow: the one that ships, or one of the sources' that fail.
+//! Which rule sprites near the eye follow, as a value.
 
 use super::lock::{Locked, SHELL, lock};
-use crate::variants::FacingVariant;
 use glam::Vec3;
 
 /// How sprites near the eye turn and fade.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum FacingRule {
-    /// Locked and faded without a jump ([`lock`]).
-    #[default]
-    Bounded,
-    /// Kept for charts and tests.
-    Variant(FacingVariant),
+#[derive(Debug, Clone, Copy)]
+pub struct FacingRule {
+    /// In words; no two rules have the same, and they are told apart by it.
+    pub name: &'static str,
+    /// From which distance on a sprite faces the eye whatever was before, in lock distances.
+    pub reach: f32,
+    /// Which way a sprite faces and how much of it shows, by the arguments of [`lock`].
+    pub turn: fn(Vec3, Vec3, f32) -> Locked,
+    /// Whether all sprites lie across the view direction instead.
+    pub across_view: bool,
 }
 
 impl FacingRule {
-    /// From which distance on a sprite faces the eye whatever was before, in lock distances.
-    pub(super) fn reach(self) -> f32 {
-        match self {
-            Self::Bounded => SHELL,
-            Self::Variant(variant) => variant.reach(),
-        }
-    }
+    /// Locked and faded without a jump ([`lock`]): what ships.
+    pub const BOUNDED: Self = Self { name: "locked and faded", reach: SHELL, turn: lock, across_view: false };
+}
 
-    /// Which way a sprite faces and how much of it shows; see [`lock`] for the arguments.
-    pub(super) fn turn(self, to_eye: Vec3, remembered: Vec3, lock_m: f32) -> Locked {
-        match self {
-            Self::Bounded => lock(to_eye, remembered, lock_m),
-            Self::Variant(variant) => variant.turn(to_eye, remembered, lock_m),
-        }
-    }
-
-    /// Whether all sprites lie in the view's plane instead.
-    pub(super) fn is_in_view_plane(self) -> bool {
-        self == Self::Variant(FacingVariant::ViewPlane)
+impl PartialEq for FacingRule {
+    fn eq(&self, other: &Self) -> bool {
+        self.name == other.name
     }
 }

@@ -7,11 +7,11 @@
 use super::PathCurve;
 use crate::camera::View;
 use crate::derived::Derived;
-use crate::draw_list::Sorting;
-use crate::facing::FacingRule;
+use crate::rules::Rules;
 use crate::scene::{Camera, CameraPath};
 use crate::version::Version;
 use crate::view_history::{STEP_S, ViewHistory};
+use std::sync::Arc;
 
 /// Steps between two states that are kept: ten seconds.
 const KEPT_EVERY: usize = 600;
@@ -20,26 +20,21 @@ const KEPT_EVERY: usize = 600;
 #[derive(Debug, Clone)]
 pub struct Playback {
     curve: PathCurve,
-    fresh: ViewHistory,
+    rules: Rules,
     /// Of the clouds that it flies through.
     version: Option<Version>,
     /// The history after `steps` steps; the first is at the path's start.
-    history: ViewHistory,
+    history: Arc<ViewHistory>,
     steps: usize,
     /// After 1, 601, 1201, … steps.
-    kept: Vec<ViewHistory>,
+    kept: Vec<Arc<ViewHistory>>,
 }
 
 impl Playback {
-    /// At the start of `path`.
-    pub fn new(path: &CameraPath, rule: FacingRule, sorting: Sorting) -> Self {
-        Self::with_history(path, ViewHistory::new(rule, sorting))
-    }
-
-    /// At the start of `path`, with a history of nothing yet.
-    pub fn with_history(path: &CameraPath, fresh: ViewHistory) -> Self {
-        let history = fresh.clone();
-        Self { curve: PathCurve::new(path), fresh, version: None, history, steps: 0, kept: Vec::new() }
+    /// At the start of `path`, by `rules`.
+    pub fn new(path: &CameraPath, rules: Rules) -> Self {
+        let history = Arc::default();
+        Self { curve: PathCurve::new(path), rules, version: None, history, steps: 0, kept: Vec::new() }
     }
 
     /// From the path's first key to its last, seconds.
@@ -49,27 +44,27 @@ impl Playback {
 
     /// The camera `t_s` seconds from the start, and the history as of the last step not after that. Times beyond the
     /// path's ends are its ends.
-    pub fn seek(&mut self, derived: &Derived, t_s: f64) -> (Camera, &ViewHistory) {
+    pub fn seek(&mut self, derived: &Derived, t_s: f64) -> (Camera, &Arc<ViewHistory>) {
         let t_s = if t_s.is_finite() { t_s.clamp(0.0, self.duration_s()) } else { 0.0 };
         // A frame's time in f64 may lie a rounding before the step that it stands for.
         let wanted = libm::floor(t_s / STEP_S + 1e-6) as usize + 1;
         if self.version != Some(derived.version()) {
-            (self.version, self.steps, self.history) = (Some(derived.version()), 0, self.fresh.clone());
+            (self.version, self.steps, self.history) = (Some(derived.version()), 0, Arc::default());
             self.kept.clear();
         }
         let nearest = ((wanted - 1) / KEPT_EVERY).min(self.kept.len().saturating_sub(1));
         let from_kept = nearest * KEPT_EVERY + 1;
         if self.steps > wanted || (self.steps < from_kept && nearest < self.kept.len()) {
             (self.steps, self.history) = match self.kept.get(nearest) {
-                Some(kept) => (from_kept, kept.clone()),
-                None => (0, self.fresh.clone()),
+                Some(kept) => (from_kept, Arc::clone(kept)),
+                None => (0, Arc::default()),
             };
         }
         while self.steps < wanted {
             let view = View::new(&self.curve.camera_at(self.steps as f64 * STEP_S), 1, 1);
-            self.history.step(derived, &view);
+            Arc::make_mut(&mut self.history).step(&self.rules, derived, &view);
             if self.steps.is_multiple_of(KEPT_EVERY) && self.kept.len() == self.steps / KEPT_EVERY {
-                self.kept.push(self.history.clone());
+                self.kept.push(Arc::clone(&self.history));
             }
             self.steps += 1;
         }

@@ -6,8 +6,9 @@ use super::sprites_json::Shaded;
 use crate::color::Rgba;
 use crate::draw_list::eye_offset;
 use crate::facing::{Pose, corners};
-use crate::shading::{Formed, corner_light};
+use crate::shading::corner_light;
 use crate::sprites::PlacedCloud;
+use crate::weather::Formed;
 use std::fmt::Write;
 
 const CORNER_NAMES: [&str; 4] = ["top_left", "top_right", "bottom_right", "bottom_left"];

@@ -10,7 +10,8 @@
 //! sky's light that does not get through: what a model of light would ask for.
 
 use crate::frame::Frame;
-use crate::raster::fast::{NEVER_STOP, clouds};
+use crate::raster::fast::clouds;
+use crate::rules::NEVER_STOP;
 use crate::scene::Camera;
 use glam::DVec3;
 

@@ -16,7 +16,7 @@ use super::PixelMap;
 use super::errors::largest_difference;
 use crate::color::Rgb;
 use crate::frame::Frame;
-use crate::raster::fast::bins::{assemble, map_tiles};
+use crate::raster::bins::{assemble, map_tiles};
 use crate::raster::{ScreenSprite, prepare};
 use std::cmp::Ordering;
 

@@ -13,7 +13,7 @@ use super::PixelMap;
 use crate::camera::{NEAR_M, View};
 use crate::facing::corners;
 use crate::frame::Frame;
-use crate::raster::fast::bins::{TILE, TileRect, assemble, map_tiles};
+use crate::raster::bins::{TILE, TileRect, assemble, map_tiles};
 use crate::raster::{Linear, ScreenSprite, prepare};
 use glam::Vec3;
 use rayon::prelude::*;

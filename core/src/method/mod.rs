@@ -1,19 +1,14 @@
 //! Methods as values: every way to draw, said as plain data, so that charts, tests and tools choose one by its name.
 //!
-//! A [`Method`] is a name, a sentence, a [`Family`] and its [`Settings`]: what draws, in which order, by which rule
-//! sprites face the eye and clouds form, how many sprites are kept, how texels are filtered, how many samples a pixel
-//! has. [`METHODS`] is the table; a new method is a row there. `draw` turns a frame into pictures by a method, `kept`
-//! drops sprites. What runs on a GPU is only named here.
+//! A [`Method`] is a name, a sentence, a [`Family`] and its [`Rules`]: what draws, in which order, by which rule sprites
+//! face the eye and clouds form, how many sprites are kept, how texels are filtered, how many samples a pixel has.
+//! [`METHODS`] is the table; a new method is a row there.
 
-mod draw;
-mod kept;
-mod settings;
 mod table;
 
-pub use draw::Drawn;
-pub use kept::keep;
-pub use settings::{Renderer, Settings};
 pub use table::METHODS;
+
+use crate::rules::Rules;
 
 /// A way to draw, with its name.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -25,7 +20,7 @@ pub struct Method {
     /// What it is among the others.
     pub family: Family,
     /// All that makes it.
-    pub settings: Settings,
+    pub rules: Rules,
 }
 
 /// What a method is among the others: a mark of its own in charts.

@@ -1,22 +1,24 @@
 //! The table of methods: a row each.
 
-use super::{Family, Method, Renderer, Settings};
+use super::{Family, Method};
+use crate::detail::Detail;
 use crate::draw_list::Sorting;
 use crate::facing::FacingRule;
-use crate::raster::Filter;
-use crate::raster::fast::NEVER_STOP;
 use crate::raster::truth::SIDE;
-use crate::shading::FormingRule;
-use crate::variants::{FacingVariant, LazySorting, Listing, SteppedForming};
+use crate::rules::{Filter, NEVER_STOP, Rasterizer, Rules};
+use crate::variants::{
+    LOCK_WITHOUT_FADE, NO_LOCK, SIMGEAR, SKYWORKS, STEPPED_AS_PRINTED, STEPPED_MENDED, VIEW_PLANE, WANGS_DOT_PRODUCT,
+};
+use crate::weather::{FormingRule, Stepped};
 
-const OURS: Settings = Settings::SHIPPED;
+const OURS: Rules = Rules::SHIPPED;
 
 /// The row of the truth.
 pub(super) const TRUTH: Method = Method {
     name: "truth",
     about: "The fragments of 16 rays a pixel, each ray's in their own order.",
     family: Family::Truth,
-    settings: Settings { renderer: Renderer::Truth, samples_side: SIDE, ..OURS },
+    rules: Rules { rasterizer: Rasterizer::Truth, samples_side: SIDE, ..OURS },
 };
 
 /// The row of what is shipped.
@@ -24,29 +26,29 @@ pub(super) const SHIPPED: Method = Method {
     name: "fast",
     about: "What Cloudwright draws with on the CPU: sorted each frame, one sample a pixel, done where nothing more shows.",
     family: Family::Shipped,
-    settings: OURS,
+    rules: OURS,
 };
 
 /// All methods: the truth, what is shipped, what else is worth a look, what is known to fail.
 pub const METHODS: &[Method] = &[
     TRUTH,
     SHIPPED,
-    other("gpu", "The same by a graphics adapter, in 16-bit floats.", with(Renderer::Gpu)),
+    other("gpu", "The same by a graphics adapter, in 16-bit floats.", with(Rasterizer::Gpu)),
     other(
         "plain",
         "One fragment after the other on one core: what the fast way is tested against.",
-        with(Renderer::Plain),
+        with(Rasterizer::Plain),
     ),
     other(
         "four-samples",
         "The fast way at twice the width and height, averaged in linear light.",
-        Settings { samples_side: 2, ..OURS },
+        Rules { samples_side: 2, ..OURS },
     ),
     other(
         "crossfade",
         "The order is kept for half a second and faded over to the next, as Wang suggests: nothing pops, but the order is \
          old, and two are drawn.",
-        Settings { sorting: Sorting::Crossfade, ..OURS },
+        Rules { sorting: Sorting::Crossfade, ..OURS },
     ),
     other("no-stop", "The fast way to the last sprite, hidden or not.", fast(NEVER_STOP)),
     other(
@@ -57,79 +59,86 @@ pub const METHODS: &[Method] = &[
     other(
         "three-quarters",
         "Of each cloud the quarter of the sprites that cover least is left out.",
-        Settings { kept: 0.75, ..OURS },
+        Rules { detail: Detail { kept: 0.75 }, ..OURS },
     ),
-    other("half", "Of each cloud the half of the sprites that cover most.", Settings { kept: 0.5, ..OURS }),
-    other("quarter", "Of each cloud the quarter of the sprites that cover most.", Settings { kept: 0.25, ..OURS }),
+    other(
+        "half",
+        "Of each cloud the half of the sprites that cover most.",
+        Rules { detail: Detail { kept: 0.5 }, ..OURS },
+    ),
+    other(
+        "quarter",
+        "Of each cloud the quarter of the sprites that cover most.",
+        Rules { detail: Detail { kept: 0.25 }, ..OURS },
+    ),
     other(
         "no-mips",
         "Texels of the finest level only: sharper near by, but what is far steps over most of them and shimmers.",
-        Settings { filter: Filter::FinestLevel, ..OURS },
+        Rules { filter: Filter::FinestLevel, ..OURS },
     ),
     failing(
         "eight-bits",
         "Every sprite is blended into 8 bits a channel: roundings add up to bands.",
-        with(Renderer::EightBits),
+        with(Rasterizer::EightBits),
     ),
     failing(
         "view-plane",
         "Sprites lie across the view direction instead of facing the eye: all turn when the head does.",
-        facing(FacingVariant::ViewPlane),
+        facing(VIEW_PLANE),
     ),
-    failing("no-lock", "Sprites always face the eye: near ones spin as it passes.", facing(FacingVariant::NoLock)),
+    failing("no-lock", "Sprites always face the eye: near ones spin as it passes.", facing(NO_LOCK)),
     failing(
         "lock-without-fade",
         "Near sprites are locked but not faded: they are seen edge on, and snap back.",
-        facing(FacingVariant::LockWithoutFade),
+        facing(LOCK_WITHOUT_FADE),
     ),
     failing(
         "dot-product",
         "Near sprites are locked and fade by the dot product that Wang writes: it jumps where the eye passes a centre.",
-        facing(FacingVariant::WangsDotProduct),
+        facing(WANGS_DOT_PRODUCT),
     ),
     failing(
         "lazy-skyworks",
         "Sorted again after 10 m of travel or 36.9° of turn, as SkyWorks does: late, then all at once.",
-        Settings { sorting: Sorting::Variant(LazySorting::SkyWorks), ..OURS },
+        Rules { sorting: Sorting::Lazy(SKYWORKS), ..OURS },
     ),
     failing(
         "lazy-simgear",
         "One pass of bubble sort a frame, as SimGear does: the order lags behind.",
-        Settings { sorting: Sorting::Variant(LazySorting::SimGear), ..OURS },
+        Rules { sorting: Sorting::Lazy(SIMGEAR), ..OURS },
     ),
     failing(
         "stepped-as-printed",
         "Forming by the article's listing as printed: the core fades first, and a whole cloud is left unset.",
-        stepped(Listing::AsPrinted),
+        stepped(STEPPED_AS_PRINTED),
     ),
     failing(
         "stepped-mended",
         "Forming by the article's listing, mended but stepped: it depends on the frame rate.",
-        stepped(Listing::Mended),
+        stepped(STEPPED_MENDED),
     ),
 ];
 
-const fn other(name: &'static str, about: &'static str, settings: Settings) -> Method {
-    Method { name, about, family: Family::Other, settings }
+const fn other(name: &'static str, about: &'static str, rules: Rules) -> Method {
+    Method { name, about, family: Family::Other, rules }
 }
 
-const fn failing(name: &'static str, about: &'static str, settings: Settings) -> Method {
-    Method { name, about, family: Family::Failing, settings }
+const fn failing(name: &'static str, about: &'static str, rules: Rules) -> Method {
+    Method { name, about, family: Family::Failing, rules }
 }
 
-const fn with(renderer: Renderer) -> Settings {
-    Settings { renderer, ..OURS }
+const fn with(rasterizer: Rasterizer) -> Rules {
+    Rules { rasterizer, ..OURS }
 }
 
-const fn fast(stop_below: f32) -> Settings {
-    with(Renderer::Fast { stop_below })
+const fn fast(stop_below: f32) -> Rules {
+    with(Rasterizer::Fast { stop_below })
 }
 
-const fn facing(variant: FacingVariant) -> Settings {
-    Settings { facing: FacingRule::Variant(variant), ..OURS }
+const fn facing(facing: FacingRule) -> Rules {
+    Rules { facing, ..OURS }
 }
 
-/// At the 30 frames a second that flights are drawn at.
-const fn stepped(listing: Listing) -> Settings {
-    Settings { forming: FormingRule::Variant(SteppedForming { listing, frames_a_second: 30 }), ..OURS }
+const fn stepped(forming: Stepped) -> Rules {
+    Rules { forming: FormingRule::Stepped(forming), ..OURS }
 }

@@ -5,12 +5,13 @@
 //! is what error figures are measured against. All three share [`prepare()`]'s sprites on the screen and one definition
 //! of a fragment ([`ScreenSprite::fragment`]).
 
+pub(crate) mod bins;
 pub mod fast;
 pub mod plain;
 mod prepare;
 pub mod truth;
 
-pub use prepare::{Filter, Hit, Linear, ScreenSprite, prepare, trilinear};
+pub use prepare::{Hit, Linear, ScreenSprite, prepare, trilinear};
 
 use crate::frame::Frame;
 use crate::image::{LinearPicture, Picture};

@@ -9,21 +9,12 @@ use crate::color::Premultiplied;
 use crate::draw_list::{DrawSprite, eye_offset};
 use crate::facing::corners;
 use crate::frame::Frame;
+use crate::rules::Filter;
 use crate::shading::corner_light;
 use crate::sky::{DomeTables, haze_share};
 use crate::sprites::{Atlas, MIP_LEVELS, TILE_SIZE, TileLevel};
 use glam::{DVec3, Vec2, Vec3};
 use rayon::prelude::*;
-
-/// How texels become a fragment's.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Filter {
-    /// Linear within and between mip levels.
-    #[default]
-    MipLevels,
-    /// Linear within the finest level, whose texels far sprites step over: they shimmer.
-    FinestLevel,
-}
 
 /// A function linear in the pixel coordinates counted from a sprite's [`ScreenSprite::anchor`].
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -116,7 +107,7 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite) -> Sc
     let outline = outline(view, &quad);
     let depth = view.depth(drawn.center).max(NEAR_M);
     let texels_a_pixel = TILE_SIZE as f32 * view.pixel() / (sprite.width * sprite.height).sqrt();
-    let mip = match frame.filter {
+    let mip = match frame.rules.filter {
         Filter::MipLevels => sharpened((texels_a_pixel * depth).log2() + FINER),
         Filter::FinestLevel => 0.0,
     };

@@ -4,7 +4,7 @@
 //! has `side` × `side` samples; at each, the fragments are sorted by their own depth along the ray (ties by the
 //! sprite's place in the scene) and blended in f32, all that a f32 can tell. Texels are filtered for the sample's footprint.
 
-use super::fast::bins::{TILE, assemble, map_tiles};
+use super::bins::{TILE, assemble, map_tiles};
 use super::plain::put_behind;
 use super::{Hit, ScreenSprite, prepare};
 use crate::color::{Premultiplied, Rgb};

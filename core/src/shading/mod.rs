@@ -3,18 +3,15 @@
 //! Ambient light comes through the five colour levels by height, directional light through the shading group by the
 //! angle to the sun. The twin in WGSL is render/src/pass/sprites/sprites.wgsl.
 
-mod formation;
-mod light;
 mod veil;
 
-pub use formation::{Formed, FormingRule};
-pub use light::{Light, sun_direction};
 pub use veil::{Veil, veil};
 
 use crate::color::{Rgb, Rgba};
 use crate::math::unit_or;
 use crate::scene::ColorLevels;
 use crate::sprites::{Group, PlacedCloud};
+use crate::weather::{Formed, Light};
 use glam::Vec3;
 
 /// The light at one corner, linear, straight.

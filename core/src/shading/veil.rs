@@ -6,12 +6,13 @@
 //! of which an eye inside has half before it in the mean, whichever way it looks. It comes as the sprite goes, so it is
 //! continuous through the cloud's border and as bounded as the fading is.
 
-use super::{Formed, Light, corner_light};
+use super::corner_light;
 use crate::camera::View;
 use crate::color::{Premultiplied, Rgb};
 use crate::draw_list::Hidden;
 use crate::facing::Poses;
 use crate::sprites::{Atlas, PlacedCloud};
+use crate::weather::{Formed, Light};
 
 /// Before the eye, in every direction alike.
 pub type Veil = Premultiplied;

@@ -4,7 +4,7 @@
 use crate::color::Rgb;
 use crate::math::smoothstep;
 use crate::scene::Ground;
-use crate::shading::Light;
+use crate::weather::Light;
 use glam::{DVec3, Vec3};
 
 /// The pattern repeats after this many metres along x and z: a scene moved by whole periods stands on the same ground.

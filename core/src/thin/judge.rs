@@ -4,25 +4,20 @@ use super::Key;
 use super::losses::losses;
 use super::trial::{Trial, id_of};
 use super::vantages::{Vantage, vantages};
-use crate::frame::{Frame, Sight};
+use crate::draw;
+use crate::frame::Frame;
 use crate::image::Picture;
 use crate::measure::{PIXELS_PER_DEGREE, flip};
-use crate::model_in_view::Meshes;
-use crate::raster::fast;
 use crate::sprites::Atlas;
-use crate::view_history::ViewHistory;
 use crate::watch::Watch;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
-
-/// Width and height of the pictures that are compared.
-const SIZE: [u32; 2] = [240, 135];
 
 /// The scene as it was, from everywhere.
 pub(super) struct Judge<'a> {
     atlas: &'a Atlas,
     pub(super) vantages: Vec<Vantage>,
-    pictures: Vec<Picture>,
+    pictures: Vec<Option<Picture>>,
     tolerance: f64,
     watch: &'a Watch,
 }
@@ -35,16 +30,13 @@ impl<'a> Judge<'a> {
         judge
     }
 
-    fn frame<'t>(&'t self, trial: &'t Trial, Vantage { camera, hidden, .. }: &Vantage) -> Frame<'t> {
-        let scene = trial.document.scene();
-        let (meshes, history) = (&Meshes::default(), &ViewHistory::default());
-        let time_h = scene.time_of_day_h;
-        let sight = Sight { camera, time_h, clock_s: 0.0, size: SIZE, hidden, meshes, history };
-        Frame::of(scene, &trial.derived, self.atlas, &sight)
+    fn frame<'t>(&'t self, trial: &'t Trial, vantage: &Vantage) -> Frame<'t> {
+        Frame::new(trial.document.scene(), &trial.derived, self.atlas, &vantage.sight)
     }
 
-    fn picture(&self, trial: &Trial, vantage: &Vantage) -> Picture {
-        fast::picture(&self.frame(trial, vantage))
+    /// There is one, since what ships draws on the CPU.
+    fn picture(&self, trial: &Trial, vantage: &Vantage) -> Option<Picture> {
+        draw::picture(&self.frame(trial, vantage), self.watch)
     }
 
     /// All sprites, those first that are missed least in the view that misses them most.
@@ -84,8 +76,8 @@ impl<'a> Judge<'a> {
     /// The largest error of any view and which that is; none as soon as one exceeds the tolerance.
     pub(super) fn worst(&self, trial: &Trial) -> Option<(f64, usize)> {
         let error = |(index, vantage): (usize, &Vantage)| {
-            let picture = self.picture(trial, vantage);
-            let error = flip(&self.pictures[index], &picture, PIXELS_PER_DEGREE).ok()?.mean();
+            let (was, is) = (self.pictures[index].as_ref()?, self.picture(trial, vantage)?);
+            let error = flip(was, &is, PIXELS_PER_DEGREE).ok()?.mean();
             (error <= self.tolerance && !self.watch.is_cancelled()).then_some((error, index))
         };
         let larger = |a: (f64, usize), b: (f64, usize)| if (b.0, a.1) > (a.0, b.1) { b } else { a };

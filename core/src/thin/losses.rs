@@ -10,7 +10,7 @@
 use crate::color::{Premultiplied, Rgb};
 use crate::draw_list::DrawSprite;
 use crate::frame::Frame;
-use crate::raster::fast::bins::map_tiles;
+use crate::raster::bins::map_tiles;
 use crate::raster::{ScreenSprite, prepare};
 use rustc_hash::FxHashMap;
 

@@ -4,9 +4,12 @@
 use crate::draw_list::Hidden;
 use crate::flight::PathCurve;
 use crate::scene::{Camera, Scene};
+use crate::sight::Sight;
 use crate::sprites::PlacedCloud;
 use glam::DVec3;
 
+/// Width and height of the pictures that are compared.
+const SIZE: [u32; 2] = [240, 135];
 /// Around each cloud.
 const AROUND: u32 = 8;
 /// Along each path, evenly in time from its first key to its last.
@@ -21,20 +24,19 @@ const ABOVE_GROUND_M: f64 = 2.0;
 pub(super) struct Vantage {
     /// For messages.
     pub(super) name: String,
-    pub(super) camera: Camera,
-    /// Around a cloud, all others: they would stand before it, or around the eye.
-    pub(super) hidden: Hidden,
+    /// Around a cloud, all others are left out: they would stand before it, or around the eye.
+    pub(super) sight: Sight,
 }
 
 /// All of `scene`'s, which `clouds` are of.
 pub(super) fn vantages(scene: &Scene, clouds: &[PlacedCloud]) -> Vec<Vantage> {
-    let of_all = |name, camera| Vantage { name, camera, hidden: Hidden::default() };
-    let cameras = scene.cameras.iter().map(|camera| of_all(format!("camera {}", camera.name), camera.clone()));
+    let of_all = |name, camera: &Camera| Vantage { name, sight: Sight::still(camera, SIZE) };
+    let cameras = scene.cameras.iter().map(|camera| of_all(format!("camera {}", camera.name), camera));
     let paths = scene.paths.iter().filter(|path| !path.keys.is_empty()).flat_map(|path| {
         let curve = PathCurve::new(path);
         (0..ALONG).map(move |i| {
             let t_s = curve.duration_s() * f64::from(i) / f64::from(ALONG - 1);
-            of_all(format!("path {} at {t_s:.1} s", path.name), curve.camera_at(t_s))
+            of_all(format!("path {} at {t_s:.1} s", path.name), &curve.camera_at(t_s))
         })
     });
     let around = clouds.iter().filter(|cloud| !cloud.sprites.is_empty()).flat_map(|cloud| {
@@ -42,8 +44,9 @@ pub(super) fn vantages(scene: &Scene, clouds: &[PlacedCloud]) -> Vec<Vantage> {
         let hidden = Hidden { clouds: others.collect(), ..Hidden::default() };
         (0..AROUND).map(move |i| {
             let heading_deg = f64::from(i) * 360.0 / f64::from(AROUND);
-            let camera = camera_around(scene, cloud, heading_deg);
-            Vantage { name: format!("cloud {} looking {heading_deg}°", cloud.name), camera, hidden: hidden.clone() }
+            let sight =
+                Sight { hidden: hidden.clone(), ..Sight::still(&camera_around(scene, cloud, heading_deg), SIZE) };
+            Vantage { name: format!("cloud {} looking {heading_deg}°", cloud.name), sight }
         })
     });
     cameras.chain(paths).chain(around).collect()
@@ -79,8 +82,8 @@ mod tests {
         let cloud = &derived.clouds()[0];
         let vantages = vantages(&scene, derived.clouds());
         assert_eq!(vantages.len(), scene.cameras.len() + 8 * derived.clouds().len());
-        for Vantage { name, camera, .. } in vantages.iter().filter(|vantage| vantage.name.starts_with("cloud")) {
-            let view = View::new(camera, 200, 200);
+        for Vantage { name, sight } in vantages.iter().filter(|vantage| vantage.name.starts_with("cloud")) {
+            let view = View::new(&sight.camera, 200, 200);
             let center = (cloud.origin - view.eye).as_vec3() + cloud.center;
             let at = view.project(center).expect("before the eye");
             assert!((at - glam::Vec2::splat(100.0)).length() < 0.5, "{name}: {at}");

@@ -4,7 +4,7 @@
 use crate::color::{Premultiplied, Rgb, linear_from_srgb};
 use crate::frame::Frame;
 use crate::image::LinearPicture;
-use crate::raster::fast::bins::{assemble, map_tiles};
+use crate::raster::bins::{assemble, map_tiles};
 use crate::raster::prepare;
 
 /// The frame over its background in linear light, every blend stored as 8-bit sRGB; white is the most that it holds.

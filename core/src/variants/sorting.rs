@@ -1,54 +1,29 @@
 //! Lazy sorting, as two programs have it: cheap, and late.
 
 use crate::camera::View;
-use crate::draw_list::{Ranks, eye_offset};
+use crate::draw_list::{LastSort, LazySorting, Ranks, eye_offset};
 use crate::sprites::PlacedCloud;
-use glam::{DVec3, Vec3};
 
-/// When they sort.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum LazySorting {
-    /// SkyWorks (Harris): anew after 36.9° of turn (a cosine of 0.8) or 10 m of travel.
-    SkyWorks,
-    /// SimGear: one pass of bubble sort a frame; each that finds nothing to do doubles the frames to the next one, up to
-    /// 128.
-    SimGear,
-}
+/// As SkyWorks does (Harris): anew after 36.9° of turn (a cosine of 0.8) or 10 m of travel.
+pub const SKYWORKS: LazySorting = LazySorting { name: "after 10 m or 36.9°", step: skyworks };
 
-/// What they remember.
-#[derive(Debug, Clone, PartialEq, Default)]
-pub(crate) struct LazyState {
-    eye: DVec3,
-    forward: Vec3,
-    /// Frames to wait between two passes, and how many were.
-    wait: u32,
-    waited: u32,
-}
+/// As SimGear does: one pass of bubble sort a frame; each that finds nothing to do doubles the frames to the next one, up
+/// to 128.
+pub const SIMGEAR: LazySorting = LazySorting { name: "one bubble pass a frame", step: simgear };
 
-impl LazyState {
-    /// A whole sort was made for `view`.
-    pub(crate) fn sorted_at(&mut self, view: &View) {
-        (self.eye, self.forward) = (view.eye, view.forward);
+fn skyworks(last: &mut LastSort, ranks: &mut Ranks, clouds: &[PlacedCloud], view: &View) {
+    if last.forward.dot(view.forward) < 0.8 || last.eye.distance(view.eye) > 10.0 {
+        *ranks = Ranks::from_afar(clouds, view);
+        *last = LastSort::at(view);
     }
+}
 
-    /// A frame: sorts `ranks` if it is time.
-    pub(crate) fn step(&mut self, how: LazySorting, ranks: &mut Ranks, clouds: &[PlacedCloud], view: &View) {
-        match how {
-            LazySorting::SkyWorks => {
-                if self.forward.dot(view.forward) < 0.8 || self.eye.distance(view.eye) > 10.0 {
-                    *ranks = Ranks::from_afar(clouds, view);
-                    self.sorted_at(view);
-                }
-            }
-            LazySorting::SimGear => {
-                self.waited += 1;
-                if self.waited > self.wait {
-                    self.waited = 0;
-                    let swapped = bubble(ranks, clouds, view);
-                    self.wait = if swapped { 0 } else { (self.wait * 2).clamp(1, 128) };
-                }
-            }
-        }
+fn simgear(last: &mut LastSort, ranks: &mut Ranks, clouds: &[PlacedCloud], view: &View) {
+    last.waited += 1;
+    if last.waited > last.wait {
+        last.waited = 0;
+        let swapped = bubble(ranks, clouds, view);
+        last.wait = if swapped { 0 } else { (last.wait * 2).clamp(1, 128) };
     }
 }
 

@@ -5,7 +5,7 @@
 //! reaches depends on the frame rate, and it overshoots.
 
 use crate::scene::{Formation, FormationChange};
-use crate::shading::Formed;
+use crate::weather::{Formed, Stepped};
 
 /// Which of the two.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -61,36 +61,40 @@ impl SteppedFade {
     }
 }
 
-/// A [`SteppedFade`] in place of the closed form.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct SteppedForming {
-    /// Which of the two.
-    pub listing: Listing,
-    /// Frames a second, at least 1: what it reaches depends on them.
-    pub frames_a_second: u32,
-}
+/// As printed, at the 30 frames a second that flights are drawn at.
+pub const STEPPED_AS_PRINTED: Stepped = Stepped {
+    name: "steps, as printed",
+    frames_a_second: 30,
+    formed: |formation, clock_s, rate| stepped(Listing::AsPrinted, formation, clock_s, rate),
+};
 
-impl SteppedForming {
-    /// At `clock_s`, stepped from when the cloud began. The article has one duration: from the first sprites to the last.
-    /// Dissipating it only names; here it is whole until it begins, and then steps back from what forming reaches.
-    pub(crate) fn formed(self, formation: &Formation, clock_s: f64) -> Formed {
-        let Formation { change, start_s, core_s, edges_s, threshold } = *formation;
-        let duration_s = core_s.max(threshold * core_s + edges_s);
-        let since_s = clock_s - start_s;
-        let run_s = match change {
-            FormationChange::Forming => since_s,
-            FormationChange::Dissipating if since_s < 0.0 => return Formed::WHOLE,
-            FormationChange::Dissipating => duration_s - since_s,
-        };
-        let mut fade = SteppedFade::new(self.listing);
-        let rate = f64::from(self.frames_a_second.max(1));
-        let mut steps = libm::floor(run_s * rate + 1e-6).max(0.0);
-        let delta_s = (1.0 / rate) as f32;
-        // A duration of zero is over after a step.
-        while steps > 0.0 && fade.is_on {
-            fade.step(delta_s, (duration_s as f32).max(f32::MIN_POSITIVE));
-            steps -= 1.0;
-        }
-        fade.formed()
+/// Mended, at the same rate.
+pub const STEPPED_MENDED: Stepped = Stepped {
+    name: "steps, mended",
+    frames_a_second: 30,
+    formed: |formation, clock_s, rate| stepped(Listing::Mended, formation, clock_s, rate),
+};
+
+/// At `clock_s`, stepped from when the cloud began, `frames_a_second` times a second (at least once). The article has one
+/// duration: from the first sprites to the last. Dissipating it only names; here it is whole until it begins, and then
+/// steps back from what forming reaches.
+fn stepped(listing: Listing, formation: &Formation, clock_s: f64, frames_a_second: u32) -> Formed {
+    let Formation { change, start_s, core_s, edges_s, threshold } = *formation;
+    let duration_s = core_s.max(threshold * core_s + edges_s);
+    let since_s = clock_s - start_s;
+    let run_s = match change {
+        FormationChange::Forming => since_s,
+        FormationChange::Dissipating if since_s < 0.0 => return Formed::WHOLE,
+        FormationChange::Dissipating => duration_s - since_s,
+    };
+    let mut fade = SteppedFade::new(listing);
+    let rate = f64::from(frames_a_second.max(1));
+    let mut steps = libm::floor(run_s * rate + 1e-6).max(0.0);
+    let delta_s = (1.0 / rate) as f32;
+    // A duration of zero is over after a step.
+    while steps > 0.0 && fade.is_on {
+        fade.step(delta_s, (duration_s as f32).max(f32::MIN_POSITIVE));
+        steps -= 1.0;
     }
+    fade.formed()
 }

@@ -8,6 +8,7 @@ use cloudwright_core::formats::scene_file;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::raster::fast;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_tests::atlas;
 use cloudwright_tests::authoring::{self, NamedScene};
@@ -86,7 +87,7 @@ fn pictures(folder: &Path, only: &str) -> Result<(), Box<dyn Error>> {
         let scene = scene();
         let derived = Derived::new(&scene);
         for camera in &scene.cameras {
-            let frame = Frame::new(&scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, [1280, 720]);
+            let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(camera, [1280, 720]));
             let Picture { width, height, .. } = fast::picture(&frame);
             let start = std::time::Instant::now();
             let picture = fast::picture(&frame);

@@ -8,7 +8,9 @@ use cloudwright_core::scene::{
     BoxId, Camera, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevel, GroupCenter, GroupId, GroupLight,
     ModelId, Scene, ShadingGroup, Sun,
 };
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::weather::Moment;
 use glam::{DQuat, DVec3};
 
 /// One picture to draw.
@@ -30,7 +32,12 @@ impl Case {
     /// Gives the case's frame to `draw`.
     pub fn with_frame<T>(&self, draw: impl FnOnce(&Frame<'_>) -> T) -> T {
         let derived = Derived::new(&self.scene);
-        draw(&Frame::new(&self.scene, &derived, Atlas::built_in(), &self.camera, self.time_h, SIZE))
+        draw(&Frame::new(
+            &self.scene,
+            &derived,
+            Atlas::built_in(),
+            &Sight { moment: Moment::at_hour(self.time_h), ..Sight::still(&self.camera, SIZE) },
+        ))
     }
 
     /// The same with another camera and another name.
@@ -128,7 +135,7 @@ fn background(name: &'static str, noon: &Case, time_h: f64) -> Case {
     let mut case = noon.seen(name, [12_345.0, 700.0, -54_321.0], |camera| camera.field_of_view_deg = 100.0);
     case.scene.clouds.clear();
     case.time_h = time_h;
-    let to_sun = cloudwright_core::shading::sun_direction(case.scene.sun, &case.scene.place, time_h).as_dvec3();
+    let to_sun = cloudwright_core::weather::sun_direction(case.scene.sun, &case.scene.place, time_h).as_dvec3();
     case.camera.heading_deg = to_sun.x.atan2(-to_sun.z).to_degrees();
     case.camera.pitch_deg = to_sun.y.asin().to_degrees() - 20.0;
     case

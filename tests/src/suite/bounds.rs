@@ -1,7 +1,7 @@
 //! What bounds are made from.
 
 use super::figure::Figure;
-use cloudwright_core::raster::fast::STOP_BELOW;
+use cloudwright_core::rules::STOP_BELOW;
 
 /// Off the truth by rounding, for the brightest light of 1: texels are filtered with weights of 15 bits, each of four off
 /// by 2⁻¹⁵ at most. A solid texel is then off by four such parts, a layer's opacity by as many parts of itself, and a

@@ -3,12 +3,12 @@
 use super::sprite_changes::sprite_changes;
 use super::stage::Stage;
 use cloudwright_core::color::{Premultiplied, Rgb};
+use cloudwright_core::draw::Drawn;
 use cloudwright_core::image::{Layer, LinearPicture};
 use cloudwright_core::measure::{Stability, linear_error, opacity_error};
-use cloudwright_core::method::{Drawn, Settings};
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::Camera;
-use cloudwright_core::shading::FormingRule;
-use cloudwright_core::variants::SteppedForming;
+use cloudwright_core::weather::{FormingRule, Stepped};
 
 /// Which number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -65,7 +65,7 @@ impl Figure {
 
     /// The number for a way to draw, which made `pictures` where the truth made `truths`; none where it has none, as
     /// where clouds have no layer of their own.
-    pub fn of(self, stage: &Stage, settings: &Settings, pictures: &[Drawn], truths: &[Drawn]) -> Option<f64> {
+    pub fn of(self, stage: &Stage, rules: &Rules, pictures: &[Drawn], truths: &[Drawn]) -> Option<f64> {
         let pairs = || pictures.iter().zip(truths);
         let layers = || pairs().map(|(a, b)| Some((a.clouds.as_ref()?, b.clouds.as_ref()?)));
         match self {
@@ -85,11 +85,11 @@ impl Figure {
                 largest(pictures.windows(2).map(|two| opacity((two[0].clouds.as_ref()?, two[1].clouds.as_ref()?))))
             }
             Self::Sprites => {
-                let cameras: Vec<Camera> = stage.moments.iter().map(|moment| moment.camera.clone()).collect();
-                Some(sprite_changes(&stage.scene, &cameras, settings).share().into())
+                let cameras: Vec<Camera> = stage.looks.iter().map(|look| look.camera.clone()).collect();
+                Some(sprite_changes(&stage.scene, &cameras, rules).share().into())
             }
             Self::Rates => {
-                let [slow, usual, quick] = [10, 60, 240].map(|rate| stage.draw(&at_rate(settings, rate)));
+                let [slow, usual, quick] = [10, 60, 240].map(|rate| stage.draw(&at_rate(rules, rate)));
                 let (slow, usual, quick) = (slow?, usual?, quick?);
                 let both = || slow.iter().zip(&usual).chain(quick.iter().zip(&usual));
                 largest(both().map(|(a, b)| opacity((a.clouds.as_ref()?, b.clouds.as_ref()?))))
@@ -113,10 +113,10 @@ fn colors_of(layer: &Layer) -> LinearPicture {
 }
 
 /// The same where frames come so often; what is in closed form has no rate.
-fn at_rate(settings: &Settings, frames_a_second: u32) -> Settings {
-    let forming = match settings.forming {
+fn at_rate(rules: &Rules, frames_a_second: u32) -> Rules {
+    let forming = match rules.forming {
         FormingRule::ClosedForm => FormingRule::ClosedForm,
-        FormingRule::Variant(stepped) => FormingRule::Variant(SteppedForming { frames_a_second, ..stepped }),
+        FormingRule::Stepped(stepped) => FormingRule::Stepped(Stepped { frames_a_second, ..stepped }),
     };
-    Settings { forming, ..*settings }
+    Rules { forming, ..*rules }
 }

@@ -3,7 +3,7 @@
 use super::Situation;
 use super::bounds::{Bound, ROUNDING, exact};
 use super::figure::Figure;
-use super::stage::{Moment, Stage};
+use super::stage::{Look, Stage};
 use super::studio::{Plate, ahead, plates, solid_atlas, studio};
 use cloudwright_core::scene::{Camera, Formation, FormationChange};
 use glam::DVec3;
@@ -69,6 +69,6 @@ fn forming(change: FormationChange, [core_s, edges_s]: [f64; 2], looks: impl Ite
     let formation = Formation { change, start_s: 0.0, core_s, edges_s, threshold: 0.5 };
     scene.clouds.iter_mut().for_each(|cloud| cloud.formation = Some(formation));
     let camera = Camera { field_of_view_deg: 16.0, ..Camera::free(DVec3::ZERO) };
-    let moments = looks.map(|clock_s| Moment { camera: camera.clone(), clock_s, drawn: true }).collect();
-    Stage { scene, atlas: Cow::Owned(solid_atlas()), size: [24, 14], flies: false, moments }
+    let looks = looks.map(|clock_s| Look { camera: camera.clone(), clock_s, drawn: true }).collect();
+    Stage { scene, atlas: Cow::Owned(solid_atlas()), size: [24, 14], flies: false, looks }
 }

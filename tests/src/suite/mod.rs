@@ -23,7 +23,7 @@ pub use bounds::{Bound, ROUNDING, STOP};
 pub use figure::Figure;
 pub use report::report;
 pub use sprite_changes::{CHANGES, SpriteChanges, sprite_changes};
-pub use stage::{Moment, Stage};
+pub use stage::{Look, Stage};
 pub use table::{Cell, Must, Row, judge};
 
 /// A row of the table.

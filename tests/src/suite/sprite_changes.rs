@@ -6,7 +6,7 @@ use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::facing::upright::RELAXING;
 use cloudwright_core::facing::{Pose, Poses, lock_distance};
-use cloudwright_core::method::Settings;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::view_history::ViewHistory;
@@ -40,15 +40,15 @@ impl SpriteChanges {
 }
 
 /// What sprites do along `cameras`, a step of 1/60 s each.
-pub fn sprite_changes(scene: &Scene, cameras: &[Camera], settings: &Settings) -> SpriteChanges {
+pub fn sprite_changes(scene: &Scene, cameras: &[Camera], rules: &Rules) -> SpriteChanges {
     let derived = Derived::new(scene);
-    let mut history = settings.history();
+    let mut history = ViewHistory::default();
     let mut before: Option<(DVec3, Vec<Pose>)> = None;
     let mut largest = SpriteChanges::default();
     for camera in cameras {
         let view = View::new(camera, 96, 54);
-        history.step(&derived, &view);
-        let now = all_poses(&derived, &view, &history);
+        history.step(rules, &derived, &view);
+        let now = all_poses(rules, &derived, &view, &history);
         if let Some((eye, then)) = &before {
             let metres = view.eye.distance(*eye) as f32;
             let radii = derived.clouds().iter().flat_map(|cloud| cloud.sprites.iter().map(|sprite| sprite.radius()));
@@ -65,8 +65,8 @@ pub fn sprite_changes(scene: &Scene, cameras: &[Camera], settings: &Settings) ->
     largest
 }
 
-fn all_poses(derived: &Derived, view: &View, history: &ViewHistory) -> Vec<Pose> {
-    let poses = Poses::new(derived.clouds(), derived.version(), view, &history.facing);
+fn all_poses(rules: &Rules, derived: &Derived, view: &View, history: &ViewHistory) -> Vec<Pose> {
+    let poses = Poses::new(&rules.facing, derived.clouds(), derived.version(), view, &history.facing);
     let of_cloud = |(index, cloud): (usize, &PlacedCloud)| -> Vec<Pose> {
         let offset = (cloud.origin - view.eye).as_vec3();
         let pose = |(sprite, at): (&Sprite, u32)| {

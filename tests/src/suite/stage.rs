@@ -2,14 +2,17 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::Sight;
-use cloudwright_core::method::{Drawn, Settings};
-use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::draw::{Drawn, drawn};
+use cloudwright_core::frame::Frame;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::view_history::ViewHistory;
 use cloudwright_core::watch::Watch;
+use cloudwright_core::weather::Moment;
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// What is looked at.
 pub struct Stage {
@@ -19,15 +22,15 @@ pub struct Stage {
     pub atlas: Cow<'static, Atlas>,
     /// Width and height of the pictures, pixels.
     pub size: [u32; 2],
-    /// Whether the moments are steps of a flight, 1/60 s apart, which the view remembers; else each is a still.
+    /// Whether the looks are steps of a flight, 1/60 s apart, which the view remembers; else each is a still.
     pub flies: bool,
     /// In order.
-    pub moments: Vec<Moment>,
+    pub looks: Vec<Look>,
 }
 
 /// A look.
 #[derive(Debug, Clone)]
-pub struct Moment {
+pub struct Look {
     /// From where.
     pub camera: Camera,
     /// Seconds of the scene's clock: how far clouds have formed.
@@ -39,8 +42,8 @@ pub struct Moment {
 impl Stage {
     /// A still.
     pub fn still(scene: Scene, atlas: Cow<'static, Atlas>, camera: Camera) -> Self {
-        let moments = vec![Moment { camera, clock_s: 0.0, drawn: true }];
-        Self { scene, atlas, size: [96, 54], flies: false, moments }
+        let looks = vec![Look { camera, clock_s: 0.0, drawn: true }];
+        Self { scene, atlas, size: [96, 54], flies: false, looks }
     }
 
     /// A flight in steps of 1/60 s, of which those are drawn that `drawn` says.
@@ -50,28 +53,29 @@ impl Stage {
         cameras: impl IntoIterator<Item = Camera>,
         drawn: impl Fn(usize) -> bool,
     ) -> Self {
-        let moment = |(step, camera)| Moment { camera, clock_s: 0.0, drawn: drawn(step) };
-        let moments = cameras.into_iter().enumerate().map(moment).collect();
-        Self { scene, atlas, size: [48, 27], flies: true, moments }
+        let look = |(step, camera)| Look { camera, clock_s: 0.0, drawn: drawn(step) };
+        let looks = cameras.into_iter().enumerate().map(look).collect();
+        Self { scene, atlas, size: [48, 27], flies: true, looks }
     }
 
     /// All pictures by a way to draw, in order; none on a GPU.
-    pub fn draw(&self, settings: &Settings) -> Option<Vec<Drawn>> {
-        let all = Derived::new(&self.scene);
-        let derived = settings.clouds(&all, &self.atlas);
-        let mut history = settings.history();
-        let (hidden, meshes) = (&Hidden::default(), &Meshes::default());
+    pub fn draw(&self, rules: &Rules) -> Option<Vec<Drawn>> {
+        let derived = Derived::new(&self.scene);
+        let mut history = Arc::<ViewHistory>::default();
         let mut pictures = Vec::new();
-        for Moment { camera, clock_s, drawn } in &self.moments {
+        for look in &self.looks {
             if self.flies {
-                history.step(&derived, &View::new(camera, self.size[0], self.size[1]));
+                let view = View::new(&look.camera, self.size[0], self.size[1]);
+                Arc::make_mut(&mut history).step(rules, &derived, &view);
             }
-            if *drawn {
-                let (time_h, clock_s, size) = (self.scene.time_of_day_h, *clock_s, self.size);
-                let sight = Sight { camera, time_h, clock_s, size, hidden, meshes, history: &history };
-                pictures.push(
-                    settings.draw(&settings.frame(&self.scene, &derived, &self.atlas, &sight), &Watch::default())?,
-                );
+            if look.drawn {
+                let sight = Sight {
+                    moment: Moment::at(look.clock_s),
+                    history: Arc::clone(&history),
+                    rules: *rules,
+                    ..Sight::still(&look.camera, self.size)
+                };
+                pictures.push(drawn(&Frame::new(&self.scene, &derived, &self.atlas, &sight), &Watch::default())?);
             }
         }
         Some(pictures)

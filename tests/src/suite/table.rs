@@ -2,7 +2,8 @@
 
 use super::{Situation, Stage, situations};
 use cloudwright_core::color::{Premultiplied, Rgb};
-use cloudwright_core::method::{Drawn, Family, METHODS, Method, truth};
+use cloudwright_core::draw::Drawn;
+use cloudwright_core::method::{Family, METHODS, Method, truth};
 
 /// What came of a situation.
 pub struct Row {
@@ -43,7 +44,7 @@ pub fn judge() -> Vec<Row> {
 fn judged(situation: &'static Situation) -> Row {
     let stage = (situation.stage)();
     let mut faults = Vec::new();
-    let truths = stage.draw(&truth().settings).unwrap_or_default();
+    let truths = stage.draw(&truth().rules).unwrap_or_default();
     note_odd_pixels(truth(), &truths, &mut faults);
     let judged = METHODS.iter().filter(|method| method.family != Family::Truth);
     let cells = judged.filter_map(|method| cell(situation, &stage, method, &truths, &mut faults)).collect();
@@ -60,10 +61,10 @@ fn cell(
     truths: &[Drawn],
     faults: &mut Vec<String>,
 ) -> Option<Cell> {
-    let pictures = stage.draw(&method.settings)?;
+    let pictures = stage.draw(&method.rules)?;
     note_odd_pixels(method, &pictures, faults);
     let bound = &situation.bound;
-    let figure = bound.figure.of(stage, &method.settings, &pictures, truths);
+    let figure = bound.figure.of(stage, &method.rules, &pictures, truths);
     let must = match method.family {
         Family::Shipped => Some(Must::Keep),
         _ => situation.breaks.contains(&method.name).then_some(Must::Break),

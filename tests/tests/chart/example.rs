@@ -11,6 +11,7 @@ use cloudwright_core::draw_list::DrawSprite;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::raster::{develop, fast, truth};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::watch::Watch;
 use cloudwright_tests::authoring::SCENES;
@@ -173,7 +174,7 @@ impl Drawn {
         let scene = SCENES.iter().find(|(name, _)| *name == "cumulonimbus_dusk").expect("a shipped scene").1();
         let derived = Derived::new(&scene);
         let camera = scene.cameras.first().expect("a shipped scene has a camera");
-        let frame = Frame::new(&scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, size);
+        let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(camera, size));
         let pictures: Vec<Picture> = EXAMPLES
             .iter()
             .map(|example| {

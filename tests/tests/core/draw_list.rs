@@ -3,12 +3,12 @@
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{DrawList, DrawSprite, FACES_EYE, Hidden, eye_offset, sort_back_to_front};
 use cloudwright_core::facing::Pose;
-use cloudwright_core::frame::{Frame, Sight};
-use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::{fast, plain};
+use cloudwright_core::rules::NEVER_STOP;
 use cloudwright_core::scene::Camera;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::view_history::ViewHistory;
 use cloudwright_tests::small_scenes::heap;
 use glam::{DVec3, Vec3};
 use proptest::prelude::*;
@@ -48,7 +48,7 @@ proptest! {
         let scene = heap(25);
         let derived = Derived::new(&scene);
         let camera = Camera { heading_deg, pitch_deg, roll_deg, field_of_view_deg, ..Camera::free(DVec3::new(x, y, z)) };
-        let frame = Frame::new(&scene, &derived, Atlas::built_in(), &camera, 12.0, [90, 40]);
+        let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(&camera, [90, 40]));
         let cloud = &derived.clouds()[0];
         let offset = eye_offset(cloud, &frame.view);
         let poses = cloud.sprites.iter().map(|s| Pose::still(offset + s.position, s.radius(), &frame.view)).collect();
@@ -58,7 +58,7 @@ proptest! {
         prop_assert!(frame.list.sprites.len() <= all.len());
         let whole = Frame { list: DrawList { sprites: all, poses }, ..frame.clone() };
         // A pose is put together in one way for sprites near the eye and in another for all: some units in the last place.
-        let (seen, whole) = (fast::clouds(&frame, fast::NEVER_STOP), fast::clouds(&whole, fast::NEVER_STOP));
+        let (seen, whole) = (fast::clouds(&frame, NEVER_STOP), fast::clouds(&whole, NEVER_STOP));
         for (a, b) in seen.pixels.iter().zip(&whole.pixels) {
             prop_assert!((a.r - b.r).abs().max((a.a - b.a).abs()) < 1e-4, "{a:?} for {b:?}");
         }
@@ -71,14 +71,11 @@ fn what_is_hidden_is_not_drawn() {
     let scene = heap(25);
     let derived = Derived::new(&scene);
     let camera = &scene.cameras[0];
-    let history = &ViewHistory::default();
     let frame = |hidden: &Hidden| {
-        let sight =
-            Sight { camera, time_h: 12.0, clock_s: 0.0, size: [90, 40], hidden, meshes: &Meshes::default(), history };
-        Frame::of(&scene, &derived, Atlas::built_in(), &sight)
+        let sight = Sight { hidden: hidden.clone(), ..Sight::still(camera, [90, 40]) };
+        Frame::new(&scene, &derived, Atlas::built_in(), &sight)
     };
     let all = frame(&Hidden::default());
-    assert_eq!(all.list, Frame::new(&scene, &derived, Atlas::built_in(), camera, 12.0, [90, 40]).list);
 
     let box_id = scene.models[0].boxes[1].id;
     let one_box = frame(&Hidden { boxes: [box_id].into(), ..Hidden::default() });
@@ -89,7 +86,7 @@ fn what_is_hidden_is_not_drawn() {
 
     let no_cloud = frame(&Hidden { clouds: [scene.clouds[0].id].into(), ..Hidden::default() });
     assert!(no_cloud.list.sprites.is_empty());
-    for layer in [fast::clouds(&no_cloud, fast::NEVER_STOP), plain::clouds(&no_cloud)] {
+    for layer in [fast::clouds(&no_cloud, NEVER_STOP), plain::clouds(&no_cloud)] {
         assert!(layer.pixels.iter().all(|pixel| pixel.a == 0.0));
     }
 }

@@ -5,7 +5,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::sprites_json::Shaded;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
 use cloudwright_core::scene::Formation;
-use cloudwright_core::shading::Light;
+use cloudwright_core::weather::Light;
 use cloudwright_tests::small_scenes::heap;
 use glam::DVec3;
 use serde_json::Value;

@@ -3,7 +3,7 @@
 use cloudwright_core::method::{Method, named};
 use cloudwright_core::scene::Camera;
 use cloudwright_tests::suite::studio::{ahead, half_atlas, plates, studio};
-use cloudwright_tests::suite::{Moment, ROUNDING, Stage};
+use cloudwright_tests::suite::{Look, ROUNDING, Stage};
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -24,10 +24,10 @@ fn blur(method: &Method) -> f64 {
     let shifts = || (0..PHASES[1]).map(|phase| phase as f64 / PHASES[1] as f64);
     let camera = |shift: f64| Camera { field_of_view_deg, ..Camera::free(DVec3::X * shift * PIXEL_M) };
     for texel in 0..PHASES[0] {
-        let moments = shifts().map(|shift| Moment { camera: camera(shift), clock_s: 0.0, drawn: true }).collect();
+        let looks = shifts().map(|shift| Look { camera: camera(shift), clock_s: 0.0, drawn: true }).collect();
         let still = Stage::still(scene.clone(), Cow::Owned(half_atlas(64 + texel)), camera(0.0));
-        let stage = Stage { size: SIZE, moments, ..still };
-        for (shift, drawn) in shifts().zip(stage.draw(&method.settings).expect("on the CPU")) {
+        let stage = Stage { size: SIZE, looks, ..still };
+        for (shift, drawn) in shifts().zip(stage.draw(&method.rules).expect("on the CPU")) {
             let clouds = drawn.clouds.as_ref().expect("it has opacity");
             let edge = f64::from(SIZE[0]) / 2.0 + texel as f64 / TEXELS_A_PIXEL - shift;
             let middle_row = &clouds.pixels[SIZE[0] as usize..2 * SIZE[0] as usize];

@@ -3,30 +3,33 @@
 
 use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::{Hidden, Sorting};
+use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::facing::FacingRule;
 use cloudwright_core::flight::Playback;
-use cloudwright_core::frame::{Frame, Sight};
+use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
-use cloudwright_core::method::{METHODS, Method, Settings, shipped, truth};
-use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::method::{METHODS, Method, shipped, truth};
 use cloudwright_core::raster::{fast, plain};
+use cloudwright_core::rules::NEVER_STOP;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, CameraPath, Formation, FormationChange, PathKey, Scene};
-use cloudwright_core::shading::Formed;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::variants::{Listing, SteppedFade};
 use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::weather::{Formed, Moment};
 use cloudwright_tests::small_scenes::heap;
 use cloudwright_tests::suite::heap_flights::through;
 use cloudwright_tests::suite::{Figure, Stage};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// In a cloud of one colour the order costs nothing, and what is left beyond the truth's own changes is what locking and
 /// fading do. Straight through, every other way is more than twice as far off.
 #[test]
 fn pixels_follow_the_truth() {
     let mut stage = Stage { size: [48, 27], ..through(400.0) };
-    (0..).zip(&mut stage.moments).for_each(|(step, moment)| moment.drawn = step % 3 == 0);
+    (0..).zip(&mut stage.looks).for_each(|(step, look)| look.drawn = step % 3 == 0);
     for model in &mut stage.scene.models {
         model.color_levels.iter_mut().for_each(|level| level.color = Rgba::new(1.0, 1.0, 1.0, 0.9));
         for cloud_box in &mut model.boxes {
@@ -34,16 +37,16 @@ fn pixels_follow_the_truth() {
         }
     }
     // As many samples as the others take: how finely a pixel is sampled is another matter.
-    let truths = stage.draw(&Settings { samples_side: 1, ..truth().settings }).expect("on the CPU");
+    let truths = stage.draw(&Rules { samples_side: 1, ..truth().rules }).expect("on the CPU");
     let excess = |method: &Method| {
-        let pictures = stage.draw(&method.settings).expect("on the CPU");
-        Figure::Excess.of(&stage, &method.settings, &pictures, &truths).expect("pictures of one size")
+        let pictures = stage.draw(&method.rules).expect("on the CPU");
+        Figure::Excess.of(&stage, &method.rules, &pictures, &truths).expect("pictures of one size")
     };
     let shipped_excess = excess(shipped());
     // The truth fades alike. What is left is its filter: a quarter of a mip level more or less blur, of a tile whose
     // neighbouring levels differ by up to 0.4 of opacity where it frays, in either frame.
     assert!(shipped_excess < 2.0 * 0.25 * 0.4, "{shipped_excess}");
-    for method in METHODS.iter().filter(|method| method.settings.facing != FacingRule::Bounded) {
+    for method in METHODS.iter().filter(|method| method.rules.facing != FacingRule::BOUNDED) {
         let other = excess(method);
         assert!(2.0 * shipped_excess < other, "{}: {other}, shipped {shipped_excess}", method.name);
     }
@@ -65,12 +68,10 @@ fn frame_of<'a>(
     scene: &Scene,
     derived: &'a Derived,
     (camera, clock_s): (&Camera, f64),
-    history: &ViewHistory,
+    history: &Arc<ViewHistory>,
 ) -> Frame<'a> {
-    let (size, hidden) = ([64, 36], &Hidden::default());
-    let sight =
-        Sight { camera, time_h: scene.time_of_day_h, clock_s, size, hidden, meshes: &Meshes::default(), history };
-    Frame::of(scene, derived, Atlas::built_in(), &sight)
+    let (moment, history) = (Moment::at(clock_s), Arc::clone(history));
+    Frame::new(scene, derived, Atlas::built_in(), &Sight { moment, history, ..Sight::still(camera, [64, 36]) })
 }
 
 fn picture(scene: &Scene, derived: &Derived, playback: &mut Playback, t_s: f64) -> Picture {
@@ -84,7 +85,7 @@ fn a_frame_is_the_same_alone_or_in_sequence() {
     scene.clouds[0].formation = Some(Formation { core_s: 4.0, edges_s: 6.0, ..Formation::default() });
     let derived = Derived::new(&scene);
     for sorting in [Sorting::EachFrame, Sorting::Crossfade] {
-        let new = || Playback::new(&path(DVec3::ZERO), FacingRule::Bounded, sorting);
+        let new = || Playback::new(&path(DVec3::ZERO), Rules { sorting, ..Rules::SHIPPED });
         let mut in_sequence = new();
         let mut locked = 0;
         let whole: Vec<Picture> =
@@ -106,7 +107,7 @@ fn going_back_is_as_going_there() {
     let mut slow = path(DVec3::ZERO);
     slow.keys.iter_mut().for_each(|key| key.time_s *= 5.0);
     for sorting in [Sorting::EachFrame, Sorting::Crossfade] {
-        let new = || Playback::new(&slow, FacingRule::Bounded, sorting);
+        let new = || Playback::new(&slow, Rules { sorting, ..Rules::SHIPPED });
         let mut scrubbed = new();
         for t_s in [29.0, 12.0, 20.0, 3.0, 9.99, 10.0, 30.0, 0.0, 10.02] {
             let there = scrubbed.seek(&derived, t_s).1.clone();
@@ -123,8 +124,7 @@ fn far_from_the_origin_it_is_the_same_flight() {
     let mut far = near.clone();
     far.clouds[0].position += by;
     let [derived, derived_far] = [&near, &far].map(Derived::new);
-    let [mut playback, mut playback_far] =
-        [DVec3::ZERO, by].map(|by| Playback::new(&path(by), FacingRule::Bounded, Sorting::EachFrame));
+    let [mut playback, mut playback_far] = [DVec3::ZERO, by].map(|by| Playback::new(&path(by), Rules::SHIPPED));
     for i in 0..=12 {
         let t_s = f64::from(i) * 0.5;
         let a = picture(&near, &derived, &mut playback, t_s);
@@ -140,7 +140,7 @@ fn far_from_the_origin_it_is_the_same_flight() {
 fn inside_a_cloud_fast_is_plain() {
     let scene = heap(40);
     let derived = Derived::new(&scene);
-    let mut playback = Playback::new(&path(DVec3::ZERO), FacingRule::Bounded, Sorting::Crossfade);
+    let mut playback = Playback::new(&path(DVec3::ZERO), Rules { sorting: Sorting::Crossfade, ..Rules::SHIPPED });
     let (mut veiled, mut faded) = (0, 0);
     for i in 0..24 {
         let t_s = f64::from(i) * 0.25;
@@ -148,7 +148,7 @@ fn inside_a_cloud_fast_is_plain() {
         let frame = frame_of(&scene, &derived, (&camera, t_s), history);
         veiled += usize::from(frame.veil.a > 0.05);
         faded += usize::from(frame.fading.is_some());
-        let (fast, plain) = (fast::clouds(&frame, fast::NEVER_STOP), plain::clouds(&frame));
+        let (fast, plain) = (fast::clouds(&frame, NEVER_STOP), plain::clouds(&frame));
         for (a, b) in fast.pixels.iter().zip(&plain.pixels) {
             let apart = [a.r - b.r, a.g - b.g, a.b - b.b, a.a - b.a].map(f32::abs).into_iter().fold(0.0, f32::max);
             assert!(apart <= 2e-3, "{t_s} s: {a:?} for {b:?}");
@@ -205,7 +205,7 @@ fn the_veil_brings_back_what_is_missing_inside() {
     let depth_towards = |scene: &Scene, position: DVec3, heading_deg: f64| -> f64 {
         let derived = Derived::new(scene);
         let camera = Camera { heading_deg, field_of_view_deg: 4.0, ..Camera::free(position) };
-        let layer = plain::clouds(&frame_of(scene, &derived, (&camera, 0.0), &ViewHistory::default()));
+        let layer = plain::clouds(&frame_of(scene, &derived, (&camera, 0.0), &Arc::default()));
         let alpha = layer.pixels.iter().map(|pixel| f64::from(pixel.a)).sum::<f64>() / layer.pixels.len() as f64;
         -(1.0 - alpha).ln()
     };

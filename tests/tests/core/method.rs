@@ -1,17 +1,19 @@
 //! The table of methods: every row has a name of its own, draws, and is what it says.
 
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::{Frame, Sight};
+use cloudwright_core::detail::{Detail, Kept};
+use cloudwright_core::draw::{self, Drawn};
+use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, linear_error};
-use cloudwright_core::method::{Drawn, Family, METHODS, Method, Renderer, Settings, keep, named, shipped, truth};
-use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::method::{Family, METHODS, Method, named, shipped, truth};
 use cloudwright_core::raster::develop;
+use cloudwright_core::rules::{Rasterizer, Rules};
 use cloudwright_core::scene::{Camera, Formation, FormationChange, Scene};
-use cloudwright_core::shading::{Formed, FormingRule};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::variants::{Listing, SteppedForming};
+use cloudwright_core::variants::{STEPPED_AS_PRINTED, STEPPED_MENDED};
 use cloudwright_core::watch::Watch;
+use cloudwright_core::weather::{Formed, FormingRule, Moment, Stepped};
 use cloudwright_tests::small_scenes::heap;
 use std::collections::BTreeSet;
 
@@ -19,17 +21,13 @@ const SIZE: [u32; 2] = [48, 27];
 
 /// The still of a heap by a method, with its frame.
 fn with_frame<T>(method: &Method, scene: &Scene, camera: &Camera, f: impl FnOnce(&Frame<'_>) -> T) -> T {
-    let (settings, all) = (&method.settings, Derived::new(scene));
-    let atlas = Atlas::built_in();
-    let (derived, history) = (settings.clouds(&all, atlas), &settings.history());
-    let (hidden, meshes) = (&Hidden::default(), &Meshes::default());
-    let sight = Sight { camera, time_h: scene.time_of_day_h, clock_s: 1.0, size: SIZE, hidden, meshes, history };
-    f(&settings.frame(scene, &derived, atlas, &sight))
+    let sight = Sight { moment: Moment::at(1.0), rules: method.rules, ..Sight::still(camera, SIZE) };
+    f(&Frame::new(scene, &Derived::new(scene), Atlas::built_in(), &sight))
 }
 
 fn drawn(method: &Method) -> Option<Drawn> {
     let scene = heap(40);
-    with_frame(method, &scene, &scene.cameras[0], |frame| method.settings.draw(frame, &Watch::default()))
+    with_frame(method, &scene, &scene.cameras[0], |frame| draw::drawn(frame, &Watch::default()))
 }
 
 #[test]
@@ -43,8 +41,8 @@ fn names_are_unique_and_say_what_they_are() {
         assert_eq!(named(method.name), Some(method));
     }
     assert_eq!(named("wishful"), None);
-    assert_eq!((shipped().family, shipped().settings), (Family::Shipped, Settings::SHIPPED));
-    assert_eq!((truth().family, truth().settings.renderer), (Family::Truth, Renderer::Truth));
+    assert_eq!((shipped().family, shipped().rules), (Family::Shipped, Rules::SHIPPED));
+    assert_eq!((truth().family, truth().rules.rasterizer), (Family::Truth, Rasterizer::Truth));
     for family in [Family::Truth, Family::Shipped] {
         assert_eq!(METHODS.iter().filter(|method| method.family == family).count(), 1, "{family:?}");
     }
@@ -55,8 +53,8 @@ fn names_are_unique_and_say_what_they_are() {
 fn rows_differ() {
     for (i, a) in METHODS.iter().enumerate() {
         for b in &METHODS[..i] {
-            assert_ne!(a.settings, b.settings, "{} and {}", a.name, b.name);
-            assert_ne!(a.settings.in_words(), b.settings.in_words(), "{} and {}", a.name, b.name);
+            assert_ne!(a.rules, b.rules, "{} and {}", a.name, b.name);
+            assert_ne!(a.rules.in_words(), b.rules.in_words(), "{} and {}", a.name, b.name);
         }
     }
 }
@@ -65,7 +63,7 @@ fn rows_differ() {
 fn every_row_draws() {
     let scene = heap(40);
     for method in METHODS {
-        let on_gpu = method.settings.renderer == Renderer::Gpu;
+        let on_gpu = method.rules.rasterizer == Rasterizer::Gpu;
         let Some(Drawn { linear, clouds }) = drawn(method) else {
             assert!(on_gpu, "{}: only a GPU is not here", method.name);
             continue;
@@ -76,7 +74,7 @@ fn every_row_draws() {
         assert!(clouds.is_none_or(|clouds| [clouds.width, clouds.height] == SIZE), "{}", method.name);
         // What is shown is what is measured, but for the fast way's roundings: a step of 8 bits.
         let (shown, exposure) = with_frame(method, &scene, &scene.cameras[0], |frame| {
-            (method.settings.picture(frame, &Watch::default()), frame.exposure)
+            (draw::picture(frame, &Watch::default()), frame.exposure)
         });
         let (shown, measured) = (shown.expect("on the CPU"), develop(&linear, exposure));
         let steps = shown.as_bytes().iter().zip(measured.as_bytes()).map(|(a, b)| a.abs_diff(*b));
@@ -108,7 +106,7 @@ fn errors_are_as_the_families_say() {
 }
 
 #[test]
-fn kept_sprites_are_the_largest_and_clouds_stay_where_they_are() {
+fn kept_sprites_are_the_largest() {
     let (scene, atlas) = (heap(41), Atlas::built_in());
     let all = Derived::new(&scene);
     let cloud = &all.clouds()[0];
@@ -118,14 +116,12 @@ fn kept_sprites_are_the_largest_and_clouds_stay_where_they_are() {
     for (share, count) in
         [(0.0, 0), (0.5, cloud.sprites.len().div_ceil(2)), (1.0, cloud.sprites.len()), (7.0, cloud.sprites.len())]
     {
-        let few = keep(&all, atlas, share);
-        let kept = &few.clouds()[0];
-        assert_eq!(kept.sprites.len(), count, "{share}");
-        assert_eq!((kept.center, kept.top, &kept.groups), (cloud.center, cloud.top, &cloud.groups));
-        assert_ne!(few.version(), all.version(), "a renderer must upload them");
-        let least = kept.sprites.iter().map(cover).fold(f32::INFINITY, f32::min);
-        let dropped = cloud.sprites.iter().filter(|sprite| !kept.sprites.contains(sprite));
-        assert!(dropped.map(cover).all(|cover| cover <= least), "{share}");
+        let chosen = Kept::new(Detail { kept: share }, all.clouds(), atlas);
+        let (kept, dropped): (Vec<_>, Vec<_>) =
+            cloud.sprites.iter().zip(0..).partition(|(sprite, at)| chosen.has(0, sprite, *at));
+        assert_eq!((kept.len(), chosen.is_all()), (count, share >= 1.0), "{share}");
+        let least = kept.iter().map(|(sprite, _)| cover(sprite)).fold(f32::INFINITY, f32::min);
+        assert!(dropped.iter().all(|(sprite, _)| cover(sprite) <= least), "{share}");
     }
 }
 
@@ -133,7 +129,7 @@ fn kept_sprites_are_the_largest_and_clouds_stay_where_they_are() {
 #[test]
 fn the_truth_counts_its_samples() {
     let scene = heap(40);
-    let count = |method: &Method| with_frame(method, &scene, &scene.cameras[0], |frame| method.settings.counts(frame));
+    let count = |method: &Method| with_frame(method, &scene, &scene.cameras[0], draw::counts);
     let (one, sixteen): (Counts, Counts) = (count(shipped()), count(truth()));
     assert_eq!((sixteen.fragments, sixteen.sprites), (16 * one.fragments, one.sprites));
     assert_eq!(count(named("four-samples").expect("in the table")).sprites, one.sprites);
@@ -145,33 +141,33 @@ fn the_truth_counts_its_samples() {
 fn stepped_forming_is_the_listings() {
     let formation =
         Formation { change: FormationChange::Forming, start_s: 1.0, core_s: 1.0, edges_s: 1.0, threshold: 0.5 };
-    let at = |listing, frames_a_second, clock_s| {
-        FormingRule::Variant(SteppedForming { listing, frames_a_second }).formed(Some(&formation), clock_s)
+    let at = |listing: Stepped, frames_a_second, clock_s| {
+        FormingRule::Stepped(Stepped { frames_a_second, ..listing }).formed(Some(&formation), clock_s)
     };
     let check = |formed: Formed, [core, edge]: [f32; 2]| {
         let got = [formed.opacity(0.0), formed.opacity(1.0)];
         assert!(got.iter().zip([core, edge]).all(|(got, want)| (got - want).abs() < 1e-5), "{got:?}: {core}, {edge}");
     };
     // The core takes a second, the edges one from half of it on: 1.5 s together.
-    check(at(Listing::Mended, 60, 0.5), [0.0, 0.0]);
-    check(at(Listing::Mended, 60, 1.75), [0.5, 0.0]);
-    check(at(Listing::AsPrinted, 60, 1.75), [0.0, 0.5]);
-    check(at(Listing::Mended, 60, 9.0), [1.0, 1.0]);
-    check(at(Listing::AsPrinted, 60, 9.0), [0.0, 0.0]);
-    assert!(!at(Listing::AsPrinted, 60, 9.0).shows(), "left unset");
-    assert!(at(Listing::AsPrinted, 60, 1.2).shows(), "its edges");
+    check(at(STEPPED_MENDED, 60, 0.5), [0.0, 0.0]);
+    check(at(STEPPED_MENDED, 60, 1.75), [0.5, 0.0]);
+    check(at(STEPPED_AS_PRINTED, 60, 1.75), [0.0, 0.5]);
+    check(at(STEPPED_MENDED, 60, 9.0), [1.0, 1.0]);
+    check(at(STEPPED_AS_PRINTED, 60, 9.0), [0.0, 0.0]);
+    assert!(!at(STEPPED_AS_PRINTED, 60, 9.0).shows(), "left unset");
+    assert!(at(STEPPED_AS_PRINTED, 60, 1.2).shows(), "its edges");
     // A frame a second: two steps of two thirds.
-    assert!(at(Listing::Mended, 1, 3.0).core > 1.3);
-    let slow = at(Listing::Mended, 1, 2.9);
+    assert!(at(STEPPED_MENDED, 1, 3.0).core > 1.3);
+    let slow = at(STEPPED_MENDED, 1, 2.9);
     check(slow, [2.0 / 3.0, 0.0]);
     assert_eq!(FormingRule::ClosedForm.formed(Some(&formation), 1.75), Formed::at(Some(&formation), 1.75));
-    assert_eq!(at(Listing::Mended, 0, 1e9), at(Listing::Mended, 1, 1e9), "no rate is the least one");
+    assert_eq!(at(STEPPED_MENDED, 0, 1e9), at(STEPPED_MENDED, 1, 1e9), "no rate is the least one");
 }
 
 #[test]
 fn what_has_no_effect_is_told() {
     let without =
-        |name: &str, flies, forms| named(name).expect("in the table").settings.without_effect(flies, forms).is_some();
+        |name: &str, flies, forms| named(name).expect("in the table").rules.without_effect(flies, forms).is_some();
     for (name, flies, forms, want) in [
         ("fast", false, false, false),
         ("crossfade", false, true, true),

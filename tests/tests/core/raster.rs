@@ -5,7 +5,9 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Layer;
 use cloudwright_core::raster::{fast, plain};
+use cloudwright_core::rules::NEVER_STOP;
 use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_tests::authoring;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
@@ -15,7 +17,7 @@ const SIZE: [u32; 2] = [215, 120];
 
 fn with_frame<T>(scene: &Scene, camera: &Camera, size: [u32; 2], f: impl FnOnce(&Frame<'_>) -> T) -> T {
     let derived = Derived::new(scene);
-    f(&Frame::new(scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, size))
+    f(&Frame::new(scene, &derived, Atlas::built_in(), &Sight::still(camera, size)))
 }
 
 fn largest_difference(a: &Layer, b: &Layer) -> f32 {
@@ -81,7 +83,7 @@ fn whole_pictures_agree() {
     let scene = heap(40);
     with_frame(&scene, &scene.cameras[0], [1280, 720], |frame| {
         let off = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
-        let (fast, plain) = (fast::picture_stopping(frame, fast::NEVER_STOP), plain::picture(frame));
+        let (fast, plain) = (fast::picture_stopping(frame, NEVER_STOP), plain::picture(frame));
         let worst = fast.pixels.iter().zip(&plain.pixels).map(off).max();
         assert!(worst <= Some(2), "{worst:?}");
     });
@@ -92,10 +94,10 @@ fn fast_is_plain() {
     for (name, scene, camera) in cases() {
         with_frame(&scene, &camera, SIZE, |frame| {
             let plain = plain::clouds(frame);
-            let difference = largest_difference(&fast::clouds(frame, fast::NEVER_STOP), &plain);
+            let difference = largest_difference(&fast::clouds(frame, NEVER_STOP), &plain);
             assert!(difference <= FAST_IS_PLAIN, "{name}: {difference}");
             // Another order of the same products: some units in the last place of 2⁻²⁴, for each of the layers.
-            let difference = largest_difference(&fast::clouds_one_by_one(frame, fast::NEVER_STOP), &plain);
+            let difference = largest_difference(&fast::clouds_one_by_one(frame, NEVER_STOP), &plain);
             assert!(difference <= 1e-5, "{name}, one by one: {difference}");
         });
     }
@@ -107,7 +109,7 @@ fn backgrounds_agree() {
         // Without clouds, in a size where the sky is interpolated between nodes.
         scene.clouds.clear();
         with_frame(&scene, &camera, [1280, 720], |frame| {
-            let (fast, plain) = (fast::picture_stopping(frame, fast::NEVER_STOP), plain::picture(frame));
+            let (fast, plain) = (fast::picture_stopping(frame, NEVER_STOP), plain::picture(frame));
             let off = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
             let worst = fast.pixels.iter().zip(&plain.pixels).map(off).max().unwrap_or(0);
             // The sky between nodes is within 0.5 %, under one step of 8 bits; rounding may add another.
@@ -121,7 +123,7 @@ fn backgrounds_agree() {
 fn stopping_early_does_not_show() {
     for (name, scene, camera) in cases() {
         with_frame(&scene, &camera, SIZE, |frame| {
-            let (stopped, whole) = (fast::picture(frame), fast::picture_stopping(frame, fast::NEVER_STOP));
+            let (stopped, whole) = (fast::picture(frame), fast::picture_stopping(frame, NEVER_STOP));
             let seen = stopped
                 .pixels
                 .iter()
@@ -167,7 +169,7 @@ fn any_size_of_picture() {
     for size in [[1, 1], [1, 300], [300, 1], [33, 31], [1281, 41], [2000, 3]] {
         with_frame(&scene, &scene.cameras[0], size, |frame| {
             assert_eq!(fast::picture(frame).pixels.len(), (size[0] * size[1]) as usize);
-            let difference = largest_difference(&fast::clouds(frame, fast::NEVER_STOP), &plain::clouds(frame));
+            let difference = largest_difference(&fast::clouds(frame, NEVER_STOP), &plain::clouds(frame));
             assert!(difference <= FAST_IS_PLAIN, "{size:?}: {difference}");
         });
     }

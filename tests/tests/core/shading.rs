@@ -3,8 +3,9 @@
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::scene::{ColorLevel, DailyTable, Sun};
-use cloudwright_core::shading::{Formed, Light, corner_light, directional_share, level_color};
+use cloudwright_core::shading::{corner_light, directional_share, level_color};
 use cloudwright_core::sky::Dome;
+use cloudwright_core::weather::{Formed, Light};
 use cloudwright_tests::small_scenes::heap;
 use glam::Vec3;
 use proptest::prelude::*;

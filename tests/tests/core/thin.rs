@@ -7,6 +7,7 @@ use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip};
 use cloudwright_core::raster::fast;
 use cloudwright_core::scene::Scene;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::thin::{ThinError, Thinned, thin};
 use cloudwright_core::watch::Watch;
@@ -28,7 +29,7 @@ fn seen(scene: &Scene) -> (Picture, u64) {
     let derived = Derived::new(scene);
     let sprites = derived.clouds().iter().map(|cloud| cloud.sprites.len() as u64).sum();
     let camera = &scene.cameras[0];
-    let frame = Frame::new(scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, [240, 135]);
+    let frame = Frame::new(scene, &derived, Atlas::built_in(), &Sight::still(camera, [240, 135]));
     (fast::picture(&frame), sprites)
 }
 

@@ -6,14 +6,16 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::LinearPicture;
 use cloudwright_core::raster::{fast, prepare, truth};
 use cloudwright_core::scene::Scene;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::watch::Watch;
+use cloudwright_core::weather::Moment;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
 use glam::DVec3;
 
 fn draw(scene: &Scene, size: [u32; 2], side: u32, atlas: &Atlas) -> LinearPicture {
     let derived = Derived::new(scene);
-    let frame = Frame::new(scene, &derived, atlas, &scene.cameras[0], scene.time_of_day_h, size);
+    let frame = Frame::new(scene, &derived, atlas, &Sight::still(&scene.cameras[0], size));
     truth::linear_picture(&frame, side, &Watch::default())
 }
 
@@ -70,7 +72,7 @@ fn crossing_sprites_are_ordered_along_each_ray() {
     assert!((left - right).abs() > 0.3, "left {left}, right {right}");
     let derived = Derived::new(&scene);
     let atlas = even_atlas(255);
-    let frame = Frame::new(&scene, &derived, &atlas, &scene.cameras[0], scene.time_of_day_h, size);
+    let frame = Frame::new(&scene, &derived, &atlas, &Sight::still(&scene.cameras[0], size));
     let sorted = fast::linear_picture(&frame);
     let (left, right) = (sorted.pixels[row + 40].g, sorted.pixels[row + 60].g);
     assert!((left - right).abs() < 0.05, "one order for whole sprites: left {left}, right {right}");
@@ -81,7 +83,7 @@ fn crossing_sprites_are_ordered_along_each_ray() {
 fn sorted_is_true_where_nothing_crosses() {
     let scene = single_sprites(&[(DVec3::new(-3.0, 1.0, -100.0), 60.0), (DVec3::new(4.0, -2.0, -300.0), 150.0)]);
     let derived = Derived::new(&scene);
-    let frame = Frame::new(&scene, &derived, Atlas::built_in(), &scene.cameras[0], scene.time_of_day_h, [120, 120]);
+    let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(&scene.cameras[0], [120, 120]));
     let (truth, sorted) = (truth::linear_picture(&frame, 1, &Watch::default()), fast::linear_picture(&frame));
     let worst = truth.pixels.iter().zip(&sorted.pixels).map(|(a, b)| (a.g - b.g).abs()).fold(0.0, f32::max);
     assert!(worst < 0.02, "{worst}");
@@ -92,7 +94,12 @@ fn sorted_is_true_where_nothing_crosses() {
 fn texture_coordinates_invert_the_projection() {
     let scene = heap(30);
     let derived = Derived::new(&scene);
-    let frame = Frame::new(&scene, &derived, Atlas::built_in(), &scene.cameras[0], 12.0, [640, 360]);
+    let frame = Frame::new(
+        &scene,
+        &derived,
+        Atlas::built_in(),
+        &Sight { moment: Moment::at_hour(12.0), ..Sight::still(&scene.cameras[0], [640, 360]) },
+    );
     let view: &View = &frame.view;
     for (drawn, on_screen) in frame.list.sprites.iter().zip(prepare(&frame)) {
         let at = view.project(drawn.center).expect("before the camera") - on_screen.anchor;

@@ -6,7 +6,8 @@ use crate::off_frame::is_idle;
 use crate::tools::opened;
 use cloudwright::command::Command;
 use cloudwright::state::Lens;
-use cloudwright_core::method::{self, METHODS, Renderer};
+use cloudwright_core::method::{self, METHODS};
+use cloudwright_core::rules::Rasterizer;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -64,8 +65,8 @@ fn measures_off_the_frame_and_changes_nothing() {
     window.settle();
     // All that make a difference in a still, and that need no adapter.
     let made = |method: &&method::Method| {
-        let settings = &method.settings;
-        settings.without_effect(false, false).is_none() && !matches!(settings.renderer, Renderer::Gpu | Renderer::Plain)
+        let rules = &method.rules;
+        rules.without_effect(false, false).is_none() && !matches!(rules.rasterizer, Rasterizer::Gpu | Rasterizer::Plain)
     };
     for method in METHODS.iter().filter(made) {
         assert!(window.has(Role::Button, method.name), "{}", method.name);

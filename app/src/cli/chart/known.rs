@@ -20,7 +20,7 @@ pub(super) fn input(scene: &Path, subject: &Subject<'_>) -> Result<String, Failu
     for tile in 0..cloudwright_core::sprites::TILES {
         subject.atlas.level(tile, 0).texels.hash(&mut hasher);
     }
-    subject.time_h.to_bits().hash(&mut hasher);
+    subject.sight.moment.time_h.unwrap_or(subject.scene.time_of_day_h).to_bits().hash(&mut hasher);
     Ok(format!("{:016x}", hasher.finish()))
 }
 

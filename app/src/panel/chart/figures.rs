@@ -4,7 +4,8 @@ use crate::chart::report::Method;
 use crate::chart::text::figure;
 use crate::state::{Action, Reading, ViewChange};
 use crate::theme;
-use cloudwright_core::method::{self, Family, Renderer};
+use cloudwright_core::method::{self, Family};
+use cloudwright_core::rules::Rasterizer;
 use egui::Ui;
 use egui_plot::MarkerShape;
 
@@ -29,7 +30,7 @@ pub(super) fn is_chosen(method: &Method, reading: &Reading<'_>) -> bool {
 
 /// Has the viewport drawn by it; if it is already, by the window's own way, which is the device's where it has one.
 pub(super) fn choose_method(method: &Method, reading: &Reading<'_>) -> Action {
-    let is_new = |known: &&method::Method| known.settings.renderer != Renderer::Gpu && !is_chosen(method, reading);
+    let is_new = |known: &&method::Method| known.rules.rasterizer != Rasterizer::Gpu && !is_chosen(method, reading);
     let method = method::named(&method.name).filter(is_new);
     Action::View(ViewChange::Method(method))
 }

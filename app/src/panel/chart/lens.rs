@@ -2,7 +2,8 @@
 
 use crate::state::{Action, Lens, Reading, ViewChange};
 use crate::widget::name_it;
-use cloudwright_core::method::{self, METHODS};
+use cloudwright_core::method::METHODS;
+use cloudwright_core::rules::Rasterizer;
 use egui::{ComboBox, Ui};
 
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -16,7 +17,7 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
                 actions.push(Action::View(ViewChange::Method(None)));
             }
             // The device's own is the window's own way, where it has one.
-            for each in METHODS.iter().filter(|method| method.settings.renderer != method::Renderer::Gpu) {
+            for each in METHODS.iter().filter(|method| method.rules.rasterizer != Rasterizer::Gpu) {
                 let response = ui.selectable_label(view.method == Some(each), each.name).on_hover_text(each.about);
                 if response.clicked() {
                     actions.push(Action::View(ViewChange::Method(Some(each))));

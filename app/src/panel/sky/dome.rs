@@ -6,7 +6,7 @@ use crate::theme;
 use crate::widget::name_it;
 use cloudwright_core::math::clock;
 use cloudwright_core::scene::{Place, Sun};
-use cloudwright_core::shading::sun_direction;
+use cloudwright_core::weather::sun_direction;
 use egui::{Align2, Color32, FontId, Pos2, Sense, Shape, Stroke, Ui, Vec2, vec2};
 use glam::Vec3;
 

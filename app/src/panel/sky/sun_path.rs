@@ -1,7 +1,7 @@
 //! The sun's way over one day, sampled: when it rises and sets, and the arc that it draws.
 
 use cloudwright_core::scene::{Place, Sun};
-use cloudwright_core::shading::sun_direction;
+use cloudwright_core::weather::sun_direction;
 use egui::{Context, Id};
 use glam::Vec3;
 use std::sync::Arc;

@@ -8,13 +8,14 @@ mod legend;
 mod slide;
 mod wipe;
 
-use super::picture::{Shot, image};
+use super::picture::image;
 use crate::state::{Lens, Session};
 use crate::worker::Latest;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;
 use egui::{Color32, Context, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
-use slide::{Scale, Slide, Wish};
+use slide::{Request, Scale, Slide};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -25,7 +26,7 @@ const LOOK: Duration = Duration::from_millis(200);
 pub(super) struct LensSource {
     context: Context,
     /// Begins with the first slide that is asked for; none before, and if the system gives no thread.
-    worker: Option<Latest<Wish, Option<Slide>>>,
+    worker: Option<Latest<Request, Option<Slide>>>,
     wanted: Option<Wanted>,
     shown: Option<Shown>,
     /// The handle's place, 0 to 1 from left to right.
@@ -47,8 +48,8 @@ struct Wanted {
 struct Key {
     lens: Lens,
     revision: Version,
-    shot: Shot,
-    truth: Shot,
+    sight: Sight,
+    truth: Sight,
 }
 
 struct Shown {
@@ -64,20 +65,20 @@ impl LensSource {
 
     /// Nothing is wanted any more.
     pub(super) fn put_away(&mut self) {
-        self.drop_wish();
+        self.drop_work();
         self.shown = None;
     }
 
     /// While a hand moves the view, nothing is drawn.
     pub(super) fn wait(&mut self) {
-        self.drop_wish();
+        self.drop_work();
     }
 
-    /// Has what `lens` shows of `shot` drawn, unless that is done; `truth` is the same view as the truth draws it.
-    pub(super) fn ask(&mut self, lens: Lens, session: &Session, shot: Shot, truth: Shot) {
-        let key = Key { lens, revision: session.revision(), shot, truth };
+    /// Has what `lens` shows of `sight` drawn, unless that is done; `truth` is the same view as the truth draws it.
+    pub(super) fn ask(&mut self, lens: Lens, session: &Session, sight: Sight, truth: Sight) {
+        let key = Key { lens, revision: session.revision(), sight, truth };
         if self.wanted.as_ref().is_none_or(|wanted| wanted.key != key) {
-            self.drop_wish();
+            self.drop_work();
             let coarseness = slide::coarsenesses(lens).first().copied();
             self.wanted = Some(Wanted { key, number: Version::fresh(), watch: Arc::default(), coarseness });
             self.send(session);
@@ -94,7 +95,7 @@ impl LensSource {
         self.wanted.as_ref().filter(|wanted| wanted.coarseness.is_some()).map(|wanted| wanted.watch.share())
     }
 
-    fn drop_wish(&mut self) {
+    fn drop_work(&mut self) {
         if let Some(wanted) = self.wanted.take() {
             wanted.watch.cancel();
         }
@@ -104,18 +105,20 @@ impl LensSource {
         let Some(Wanted { key, number, watch, coarseness: Some(coarseness) }) = &mut self.wanted else { return };
         *watch = Arc::default();
         let (scene, derived, beside) = session.to_draw();
-        let Key { lens, shot, truth, .. } = key;
-        let (shot, truth, watch) = (shot.clone(), truth.clone(), Arc::clone(watch));
+        let Key { lens, sight, truth, .. } = key;
+        let (sight, truth, watch) = (sight.clone(), truth.clone(), Arc::clone(watch));
         let (lens, number, coarseness) = (*lens, *number, *coarseness);
         if self.worker.is_none() {
             let wake = self.context.clone();
-            let work = |wish: Wish| slide::draw(&wish);
+            let work = |request: Request| slide::draw(&request);
             self.worker = Latest::start_beside_the_window("lens", work, move || wake.request_repaint()).ok();
         }
         match &self.worker {
-            Some(worker) => worker.ask(Wish { lens, scene, derived, beside, shot, truth, number, coarseness, watch }),
+            Some(worker) => {
+                worker.ask(Request { lens, scene, derived, beside, sight, truth, number, coarseness, watch })
+            }
             // Nothing will come.
-            None => self.drop_wish(),
+            None => self.drop_work(),
         }
     }
 
@@ -156,7 +159,7 @@ impl LensSource {
 
 impl Drop for LensSource {
     fn drop(&mut self) {
-        self.drop_wish();
+        self.drop_work();
     }
 }
 

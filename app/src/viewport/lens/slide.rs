@@ -3,12 +3,14 @@
 use crate::chart::heat;
 use crate::opening::Beside;
 use crate::state::Lens;
-use crate::viewport::picture::Shot;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw;
+use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, PixelMap, flip, overdraw_map, wrong_order};
-use cloudwright_core::method::{Renderer, Settings};
+use cloudwright_core::rules::{Rasterizer, Rules};
 use cloudwright_core::scene::Scene;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;
 use std::sync::Arc;
@@ -17,14 +19,14 @@ use std::sync::Arc;
 const BRIGHTEST: f64 = 0.999;
 
 /// What is to be drawn.
-pub(super) struct Wish {
+pub(super) struct Request {
     pub(super) lens: Lens,
     pub(super) scene: Arc<Scene>,
     pub(super) derived: Arc<Derived>,
     pub(super) beside: Beside,
-    pub(super) shot: Shot,
+    pub(super) sight: Sight,
     /// The same view as the truth draws it.
-    pub(super) truth: Shot,
+    pub(super) truth: Sight,
     pub(super) number: Version,
     /// Of the slide's pixels, the side in the viewport's pixels.
     pub(super) coarseness: u32,
@@ -60,17 +62,15 @@ pub(super) fn coarsenesses(lens: Lens) -> &'static [u32] {
 }
 
 /// None if it is not wanted any more.
-pub(super) fn draw(wish: &Wish) -> Option<Slide> {
-    let Wish { lens, scene, derived, beside, number, coarseness, watch, .. } = wish;
-    let smaller = |shot: &Shot| Shot { size: shot.size.map(|side| side.div_ceil(*coarseness).max(1)), ..shot.clone() };
-    let picture_of = |shot: &Shot, settings: &Settings| {
-        let shot = Shot { settings: *settings, ..smaller(shot) };
-        settings.picture(&shot.frame(scene, derived, beside), watch).filter(|_| !watch.is_cancelled())
+pub(super) fn draw(request: &Request) -> Option<Slide> {
+    let Request { lens, scene, derived, beside, number, coarseness, watch, .. } = request;
+    let frame_of = |sight: &Sight| {
+        let size = sight.size.map(|side| side.div_ceil(*coarseness).max(1));
+        Frame::new(scene, derived, beside.sheet(), &Sight { size, ..sight.clone() })
     };
-    let truth = || picture_of(&wish.truth, &wish.truth.settings);
-    let map_of = |map: fn(&cloudwright_core::frame::Frame<'_>) -> PixelMap| {
-        (!watch.is_cancelled()).then(|| map(&smaller(&wish.shot).frame(scene, derived, beside)))
-    };
+    let picture_of = |sight: &Sight| draw::picture(&frame_of(sight), watch).filter(|_| !watch.is_cancelled());
+    let truth = || picture_of(&request.truth);
+    let map_of = |map: fn(&Frame<'_>) -> PixelMap| (!watch.is_cancelled()).then(|| map(&frame_of(&request.sight)));
     let map = match lens {
         Lens::Picture => return None,
         Lens::Wipe => {
@@ -81,11 +81,11 @@ pub(super) fn draw(wish: &Wish) -> Option<Slide> {
         Lens::WrongOrder => map_of(|frame| wrong_order(frame).cost)?,
         Lens::Error => {
             // A device draws what the CPU does, but not on this thread.
-            let mut settings = wish.shot.settings;
-            if settings.renderer == Renderer::Gpu {
-                settings.renderer = Settings::SHIPPED.renderer;
+            let mut sight = request.sight.clone();
+            if sight.rules.rasterizer == Rasterizer::Gpu {
+                sight.rules.rasterizer = Rules::SHIPPED.rasterizer;
             }
-            flip(&truth()?, &picture_of(&wish.shot, &settings)?, PIXELS_PER_DEGREE).ok()?
+            flip(&truth()?, &picture_of(&sight)?, PIXELS_PER_DEGREE).ok()?
         }
     };
     let scale = Scale { brightest: map.percentile(BRIGHTEST), mean: map.mean() };

@@ -1,14 +1,17 @@
 //! Pictures from a worker thread, at the resolution asked for; the latest request wins.
 
-use super::{Shot, image};
+use super::image;
 use crate::opening::Beside;
 use crate::state::Session;
 use crate::worker::{self, Latest};
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw;
+use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::overdraw;
-use cloudwright_core::method::{Renderer, Settings};
+use cloudwright_core::rules::{Rasterizer, Rules};
 use cloudwright_core::scene::Scene;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::watch::Watch;
 use egui::{TextureHandle, TextureId, TextureOptions};
 use std::sync::Arc;
@@ -19,7 +22,7 @@ struct Request {
     scene: Arc<Scene>,
     derived: Arc<Derived>,
     beside: Beside,
-    shot: Shot,
+    sight: Sight,
     coarseness: u32,
     watch: Arc<Watch>,
 }
@@ -51,7 +54,7 @@ impl ByCpu {
         let pool = worker::pool_beside_the_window("pictures");
         let work = move |request: Request| match &pool {
             // What takes long leaves the window its core.
-            Some(pool) if request.shot.settings.renderer != Settings::SHIPPED.renderer => {
+            Some(pool) if request.sight.rules.rasterizer != Rules::SHIPPED.rasterizer => {
                 pool.install(|| draw(&request))
             }
             _ => draw(&request),
@@ -70,7 +73,7 @@ impl ByCpu {
         self.overdraw
     }
 
-    pub(super) fn ask(&mut self, session: &Session, shot: &Shot, coarseness: u32) {
+    pub(super) fn ask(&mut self, session: &Session, sight: &Sight, coarseness: u32) {
         let Some(worker) = &self.worker else { return };
         // What is overtaken is shown all the same, so that a drag shows something; but the whole truth takes too long.
         if self.asked_coarseness == 1 {
@@ -78,8 +81,8 @@ impl ByCpu {
         }
         (self.watch, self.asked_coarseness) = (Arc::default(), coarseness);
         let (scene, derived, beside) = session.to_draw();
-        let (shot, watch) = (shot.clone(), Arc::clone(&self.watch));
-        worker.ask(Request { scene, derived, beside, shot, coarseness, watch });
+        let (sight, watch) = (sight.clone(), Arc::clone(&self.watch));
+        worker.ask(Request { scene, derived, beside, sight, coarseness, watch });
     }
 
     pub(super) fn texture(&mut self) -> Option<TextureId> {
@@ -103,10 +106,10 @@ impl ByCpu {
 
 fn draw(request: &Request) -> Answer {
     let begun = Instant::now();
-    let Request { scene, derived, beside, shot, coarseness, watch } = request;
-    let frame = shot.frame(scene, derived, beside);
-    let is_whole = || shot.settings.renderer != Renderer::Truth || !watch.is_cancelled();
-    let picture = shot.settings.picture(&frame, watch).filter(|_| is_whole());
+    let Request { scene, derived, beside, sight, coarseness, watch } = request;
+    let frame = Frame::new(scene, derived, beside.sheet(), sight);
+    let is_whole = || sight.rules.rasterizer != Rasterizer::Truth || !watch.is_cancelled();
+    let picture = draw::picture(&frame, watch).filter(|_| is_whole());
     let time = begun.elapsed();
     if picture.is_none() {
         return Answer { picture, time, coarseness: *coarseness, overdraw: None };

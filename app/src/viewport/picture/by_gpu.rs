@@ -1,8 +1,9 @@
 //! Pictures from the window's own device, in a texture that egui shows without a copy.
 
-use super::Shot;
 use crate::renderer::gpu_name;
 use crate::state::Session;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::sight::Sight;
 use cloudwright_render::{Gpu, RenderError, Renderer};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;
@@ -42,10 +43,10 @@ impl ByGpu {
         self.texture
     }
 
-    pub(super) fn draw(&mut self, session: &Session, shot: &Shot) -> Result<(), RenderError> {
+    pub(super) fn draw(&mut self, session: &Session, sight: &Sight) -> Result<(), RenderError> {
         let begun = Instant::now();
         let (scene, derived, beside) = session.to_draw();
-        let frame = shot.frame(&scene, &derived, &beside);
+        let frame = Frame::new(&scene, &derived, beside.sheet(), sight);
         let view = self.renderer.draw(&self.gpu, &frame)?;
         let mut egui = self.window.renderer.write();
         let device = &self.window.device;

@@ -5,7 +5,7 @@
 //! coordinates are clamped to the tile, whose border is clear.
 
 use super::super::ScreenSprite;
-use super::bins::{TILE, TileRect};
+use super::super::bins::{TILE, TileRect};
 use super::tile::{LANES, Spans, Tile, bits};
 use crate::camera::NEAR_M;
 use crate::sprites::{Atlas, FootprintTable, LEVEL_START, MIP_LEVELS, TABLE, TILE_SIZE};

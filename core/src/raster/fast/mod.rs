@@ -7,30 +7,24 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-pub(crate) mod bins;
 mod tile;
 
+use super::bins::{TILE, TileRect, assemble, map_tiles};
 use super::{ScreenSprite, develop, faded, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture, Picture};
+use crate::rules::STOP_BELOW;
 use crate::sky::BackgroundRows;
 use crate::tone::{Planes, encode_row};
-use bins::{TILE, TileRect, assemble, map_tiles};
 use tile::{Brush, Tile, TileRow};
-
-/// A pixel is done when less than this gets through. What still does shows the background, but for rows of a tile that
-/// are done as a whole.
-pub const STOP_BELOW: f32 = 1.0 / 1024.0;
-/// For [`clouds`]: draw to the last sprite.
-pub const NEVER_STOP: f32 = 0.0;
 
 /// The frame as a display shows it, one sample at each pixel's centre.
 pub fn picture(frame: &Frame<'_>) -> Picture {
     picture_stopping(frame, STOP_BELOW)
 }
 
-/// As [`picture`], with pixels done when less than `stop_below` gets through ([`NEVER_STOP`]: never).
+/// As [`picture`], with pixels done when less than `stop_below` gets through ([`crate::rules::NEVER_STOP`]: never).
 pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
     if frame.fading.is_some() {
         return develop(&linear_picture_stopping(frame, stop_below), frame.exposure);

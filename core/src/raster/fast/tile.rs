@@ -1,7 +1,7 @@
 //! A tile of the picture in planes, and the brush that draws sprites into it.
 
+use super::super::bins::{TILE, TileRect};
 use super::super::{Linear, ScreenSprite};
-use super::bins::{TILE, TileRect};
 use crate::camera::NEAR_M;
 use crate::color::Premultiplied;
 use crate::sprites::Atlas;

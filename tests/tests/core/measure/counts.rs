@@ -4,6 +4,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, overdraw, overdraw_map};
 use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_render::layout::sprite_constants;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
@@ -11,7 +12,7 @@ use glam::DVec3;
 
 fn with_frame<T>(scene: &Scene, size: [u32; 2], f: impl FnOnce(&Frame<'_>) -> T) -> T {
     let derived = Derived::new(scene);
-    f(&Frame::new(scene, &derived, Atlas::built_in(), &scene.cameras[0], scene.time_of_day_h, size))
+    f(&Frame::new(scene, &derived, Atlas::built_in(), &Sight::still(&scene.cameras[0], size)))
 }
 
 #[test]

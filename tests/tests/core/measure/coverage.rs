@@ -1,15 +1,13 @@
 //! Coverage of the sky against closed forms of solid angles.
 
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::{Hidden, Sorting};
-use cloudwright_core::facing::FacingRule;
-use cloudwright_core::frame::{Frame, Sight};
+use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Coverage, coverage};
-use cloudwright_core::model_in_view::Meshes;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::Scene;
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::variants::FacingVariant;
-use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::variants::NO_LOCK;
 use cloudwright_tests::small_scenes::single_sprites;
 use glam::DVec3;
 
@@ -23,10 +21,9 @@ fn sheet(alpha: u8) -> Atlas {
 fn seen(scene: &Scene, atlas: &Atlas, least_elevation_deg: f64) -> Coverage {
     let derived = Derived::new(scene);
     // Sheets as large as the sky would fade as near ones do.
-    let history = &ViewHistory::new(FacingRule::Variant(FacingVariant::NoLock), Sorting::EachFrame);
-    let (hidden, meshes) = (&Hidden::default(), &Meshes::default());
+    let rules = Rules { facing: NO_LOCK, ..Rules::SHIPPED };
     coverage(DVec3::ZERO, least_elevation_deg, 128, |camera, size| {
-        Frame::of(scene, &derived, atlas, &Sight { camera, time_h: 12.0, clock_s: 0.0, size, hidden, meshes, history })
+        Frame::new(scene, &derived, atlas, &Sight { rules, ..Sight::still(camera, size) })
     })
 }
 

@@ -6,6 +6,7 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{WrongOrder, wrong_order};
 use cloudwright_core::raster::{ScreenSprite, prepare, truth};
 use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::watch::Watch;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
@@ -66,7 +67,7 @@ fn by_swapping(listed: &[Fragment]) -> [f64; 2] {
 
 fn with_frame<T>(scene: &Scene, camera: &Camera, size: [u32; 2], f: impl FnOnce(Frame<'_>) -> T) -> T {
     let derived = Derived::new(scene);
-    f(Frame::new(scene, &derived, Atlas::built_in(), camera, scene.time_of_day_h, size))
+    f(Frame::new(scene, &derived, Atlas::built_in(), &Sight::still(camera, size)))
 }
 
 /// Each pixel's cost within f32's roundings (a unit of 2⁻²⁴ a factor, for some hundred pairs of weights that sum to less
@@ -129,7 +130,7 @@ fn two_crossing_sprites() {
     }
     let derived = Derived::new(&scene);
     // An even width: no pixel's ray meets both quads at one depth.
-    let frame = Frame::new(&scene, &derived, &atlas, &scene.cameras[0], scene.time_of_day_h, [100, 100]);
+    let frame = Frame::new(&scene, &derived, &atlas, &Sight::still(&scene.cameras[0], [100, 100]));
     let got = check("crossing", &frame);
     // By symmetry half of the pixels are wrong, and all weigh the same.
     assert!((got.share - 0.5).abs() < 1e-3, "{}", got.share);

@@ -7,7 +7,9 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::overdraw;
 use cloudwright_core::raster::{ScreenSprite, prepare};
 use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::weather::Moment;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
 use glam::DVec3;
 
@@ -33,7 +35,12 @@ fn count(sprite: &ScreenSprite) -> usize {
 /// 1/√2 of it, and cover all of it that lies deeper. Clipped to the picture, no perimeter exceeds the picture's.
 fn measured(scene: &Scene, camera: &Camera) -> [f64; 3] {
     let derived = Derived::new(scene);
-    let frame = Frame::new(scene, &derived, Atlas::built_in(), camera, 12.0, SIZE);
+    let frame = Frame::new(
+        scene,
+        &derived,
+        Atlas::built_in(),
+        &Sight { moment: Moment::at_hour(12.0), ..Sight::still(camera, SIZE) },
+    );
     let got = overdraw(&frame);
     assert!((got.mean_per_pixel * f64::from(SIZE[0] * SIZE[1]) - got.fragments).abs() < 1e-6 * got.fragments.max(1.0));
     let longest = 2.0 * f64::from(SIZE[0] + SIZE[1]);

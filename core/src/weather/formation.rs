@@ -3,27 +3,53 @@
 //! The core comes first: its opacity a rises from 0 to 1. When it reaches the threshold θ, the edges begin to follow: k
 //! rises from 0 to 1. At ρ, the distance to the cloud's centre in its radii, opacity is a − 2θ(1 − k)ρ, clamped. Beyond
 //! half the radius all is exactly clear until the edges begin, so nothing pops. Dissipating is the same backwards. The
-//! article's listings, which step a state instead, are in [`crate::variants::SteppedFade`].
+//! article's listings, which step a state instead, are among the ways that fail.
 
 use crate::scene::{Formation, FormationChange};
-use crate::variants::SteppedForming;
 
 /// By which rule clouds form.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub enum FormingRule {
     /// The closed form ([`Formed::at`]).
     #[default]
     ClosedForm,
-    /// Kept for charts and tests.
-    Variant(SteppedForming),
+    /// A state that each frame adds to: it fails, and is kept for charts and tests.
+    Stepped(Stepped),
+}
+
+/// A rule whose outcome depends on how often frames come.
+#[derive(Debug, Clone, Copy)]
+pub struct Stepped {
+    /// In words; no two rules have the same, and they are told apart by it.
+    pub name: &'static str,
+    /// Frames a second, at least 1.
+    pub frames_a_second: u32,
+    /// How far a cloud has formed at a number of seconds of the scene's clock, with so many frames a second.
+    pub formed: fn(&Formation, f64, u32) -> Formed,
+}
+
+impl PartialEq for Stepped {
+    fn eq(&self, other: &Self) -> bool {
+        (self.name, self.frames_a_second) == (other.name, other.frames_a_second)
+    }
 }
 
 impl FormingRule {
     /// How far a cloud has formed at `clock_s`, seconds of the scene's clock; as [`Formed::at`].
     pub fn formed(self, formation: Option<&Formation>, clock_s: f64) -> Formed {
         match (self, formation) {
-            (Self::Variant(stepped), Some(formation)) => stepped.formed(formation, clock_s),
+            (Self::Stepped(stepped), Some(formation)) => {
+                (stepped.formed)(formation, clock_s, stepped.frames_a_second.max(1))
+            }
             _ => Formed::at(formation, clock_s),
+        }
+    }
+
+    /// What it is, for charts.
+    pub fn in_words(self) -> String {
+        match self {
+            Self::ClosedForm => "closed form".into(),
+            Self::Stepped(Stepped { name, frames_a_second, .. }) => format!("{name}, {frames_a_second} a second"),
         }
     }
 }

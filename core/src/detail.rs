@@ -1,0 +1,74 @@
+//! How much of each cloud is drawn: a share of its sprites, those that cover most.
+//!
+//! A sprite counts by its area times its tile's mean opacity. What is dropped is dropped in every view, so nothing pops;
+//! what stays is drawn as it was, neither larger nor more opaque, so a cloud gets thinner. Its centre, height and
+//! shading groups stay those of all its sprites, so its colours don't change. (Growing what stays, as Cook, Halstead,
+//! Planck and Ryu do in *Stochastic Simplification of Aggregate Detail*, 2007, would blend as many fragments as before,
+//! and fragments are what clouds cost.)
+
+use crate::sprites::{Atlas, PlacedCloud, Sprite};
+use rayon::prelude::*;
+use std::cmp::Ordering;
+
+/// How much of each cloud is drawn.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Detail {
+    /// Share of its sprites, 0 to 1, rounded up to whole ones.
+    pub kept: f32,
+}
+
+impl Detail {
+    /// All of it.
+    pub const FULL: Self = Self { kept: 1.0 };
+}
+
+/// Which sprites that comes to: always the same of the same clouds; of equal ones the first.
+#[derive(Debug, Clone)]
+pub struct Kept<'a> {
+    atlas: &'a Atlas,
+    /// Of each cloud the least that stays, if any does; none where all do.
+    least: Option<Vec<Option<Cover>>>,
+}
+
+/// What one sprite covers.
+#[derive(Debug, Clone, Copy)]
+struct Cover {
+    area: f32,
+    sprite: u32,
+}
+
+impl<'a> Kept<'a> {
+    /// Of `clouds`, whose tiles are those of `atlas`.
+    pub fn new(detail: Detail, clouds: &[PlacedCloud], atlas: &'a Atlas) -> Self {
+        let of_cloud = |cloud: &PlacedCloud| {
+            let count = (cloud.sprites.len() as f64 * f64::from(detail.kept.max(0.0))).ceil() as usize;
+            let mut covers: Vec<Cover> = cloud.sprites.iter().zip(0..).map(|(s, at)| Cover::of(s, at, atlas)).collect();
+            let last = count.min(covers.len()).checked_sub(1)?;
+            Some(*covers.select_nth_unstable_by(last, Cover::most_first).1)
+        };
+        let least = (detail.kept < 1.0).then(|| clouds.par_iter().map(of_cloud).collect());
+        Self { atlas, least }
+    }
+
+    /// Whether nothing is left out.
+    pub fn is_all(&self) -> bool {
+        self.least.is_none()
+    }
+
+    /// Whether that sprite of the cloud of that index, in which it has the index `at`, is drawn.
+    pub fn has(&self, cloud: usize, sprite: &Sprite, at: u32) -> bool {
+        let Some(least) = &self.least else { return true };
+        let least = least.get(cloud).copied().flatten();
+        least.is_some_and(|least| Cover::of(sprite, at, self.atlas).most_first(&least) != Ordering::Greater)
+    }
+}
+
+impl Cover {
+    fn of(sprite: &Sprite, at: u32, atlas: &Atlas) -> Self {
+        Self { area: sprite.width * sprite.height * atlas.mean_opacity(sprite.tile.into()), sprite: at }
+    }
+
+    fn most_first(&self, other: &Self) -> Ordering {
+        other.area.total_cmp(&self.area).then(self.sprite.cmp(&other.sprite))
+    }
+}
