@@ -9,7 +9,7 @@ mod plan;
 
 pub use plan::Plan;
 
-use crate::document::Change;
+use crate::change::Change;
 use crate::scene::{Cloud, CloudModel, ModelId, Scene};
 use crate::sprites::{PlacedCloud, PopulatedModel};
 use crate::version::Version;

@@ -10,6 +10,7 @@
 
 pub mod arrange;
 pub mod camera;
+pub mod change;
 pub mod color;
 pub mod derived;
 pub mod detail;

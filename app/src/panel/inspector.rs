@@ -3,7 +3,7 @@
 use super::shading_groups::members;
 use super::{aircraft, camera, cloud, cloud_box, model, path};
 use crate::command::Command;
-use crate::state::{Action, Choose, Item, Reading, aircraft_of, box_of, camera_of, group_of};
+use crate::state::{Action, Choose, Item, Reading, box_of, group_of};
 use crate::widget::{Fields, fields};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::{ModelId, ShadingGroup};
@@ -58,7 +58,7 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
         }
         Item::Camera(_) => {
             let cameras: Vec<_> = chosen()
-                .filter_map(|item| if let Item::Camera(id) = item { camera_of(scene, *id) } else { None })
+                .filter_map(|item| if let Item::Camera(id) = item { scene.cameras.with_id(*id) } else { None })
                 .cloned()
                 .collect();
             title(ui, "Camera", cameras.len());
@@ -74,7 +74,7 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
         }
         Item::Aircraft(_) => {
             let all: Vec<_> = chosen()
-                .filter_map(|item| if let Item::Aircraft(id) = item { aircraft_of(scene, *id) } else { None })
+                .filter_map(|item| if let Item::Aircraft(id) = item { scene.aircraft.with_id(*id) } else { None })
                 .cloned()
                 .collect();
             title(ui, "Aircraft", all.len());

@@ -1,9 +1,9 @@
 //! The scene as a tree: models with their boxes, clouds, cameras, flights. A click selects, with Ctrl or Shift more than one.
 
-use crate::state::{Action, Choose, Item, Reading, ViewChange};
+use crate::state::{Action, Choose, Item, Reading, ViewChange, ViewState};
 use crate::theme::icon;
 use crate::widget::name_it;
-use cloudwright_core::scene::CloudModel;
+use cloudwright_core::scene::{Cloud, CloudModel, ForKind, Listed, for_each_kind};
 use egui::collapsing_header::CollapsingState;
 use egui::{Align, Button, Id, Layout, Response, ScrollArea, TextWrapMode, Ui};
 
@@ -12,40 +12,49 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
     let scene = reading.session.scene();
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
-        section(ui, "Clouds", scene.clouds.len(), |ui| {
+        section(ui, "clouds", scene.clouds.len(), |ui| {
             for cloud in &scene.clouds {
-                row(ui, &named(&cloud.name, "cloud", cloud.id.0), Item::Cloud(cloud.id), reading, actions);
+                row_of(ui, cloud, reading, actions);
             }
         });
-        section(ui, "Models", scene.models.len(), |ui| {
+        section(ui, "models", scene.models.len(), |ui| {
             for model in &scene.models {
                 model_row(ui, model, reading, actions);
             }
         });
-        section(ui, "Cameras", scene.cameras.len(), |ui| {
-            for camera in &scene.cameras {
-                let name = named(&camera.name, "camera", camera.id.0);
-                let response = row(ui, &name, Item::Camera(camera.id), reading, actions);
-                if response.on_hover_text("Double-click to look through it").double_clicked() {
-                    actions.push(Action::LookThrough(camera.id));
-                }
-            }
-        });
-        section(ui, "Paths", scene.paths.len(), |ui| {
-            for path in &scene.paths {
-                row(ui, &named(&path.name, "path", path.id.0), Item::Path(path.id), reading, actions);
-            }
-        });
-        section(ui, "Aircraft", scene.aircraft.len(), |ui| {
-            for aircraft in &scene.aircraft {
-                let name = named(&aircraft.name, "aircraft", aircraft.id.0);
-                row(ui, &name, Item::Aircraft(aircraft.id), reading, actions);
-            }
-        });
+        for_each_kind(&mut Others { ui, reading, actions });
     });
 }
 
+/// A section for each kind but clouds and their models.
+struct Others<'a, 'r> {
+    ui: &'a mut Ui,
+    reading: &'a Reading<'r>,
+    actions: &'a mut Vec<Action>,
+}
+
+impl ForKind for Others<'_, '_> {
+    fn kind<T: Listed>(&mut self) {
+        if [Cloud::LIST, CloudModel::LIST].contains(&T::LIST) {
+            return;
+        }
+        let list = T::list(self.reading.session.scene());
+        section(self.ui, T::LIST, list.len(), |ui| {
+            for value in list {
+                let response = row_of(ui, value, self.reading, self.actions);
+                if let Item::Camera(id) = T::thing(value.id())
+                    && response.on_hover_text("Double-click to look through it").double_clicked()
+                {
+                    self.actions.push(Action::LookThrough(id));
+                }
+            }
+        });
+    }
+}
+
+/// Under the name of its list in files.
 fn section(ui: &mut Ui, title: &str, count: usize, body: impl FnOnce(&mut Ui)) {
+    let title: String = title.chars().take(1).flat_map(char::to_uppercase).chain(title.chars().skip(1)).collect();
     egui::CollapsingHeader::new(format!("{title} ({count})")).id_salt(title).default_open(true).show(ui, body);
 }
 
@@ -57,14 +66,16 @@ fn model_row(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actions: &m
     if reading.view.selection.items().iter().any(inside) && !state.is_open() {
         state.set_open(true);
     }
-    let header = state.show_header(ui, |ui| {
-        row(ui, &named(&model.name, "model", model.id.0), Item::Model(model.id), reading, actions)
-    });
+    let header = state.show_header(ui, |ui| row_of(ui, model, reading, actions));
     header.body(|ui| {
         for each in &model.boxes {
             row(ui, &named(&each.name, "box", each.id.0), Item::Box(model.id, each.id), reading, actions);
         }
     });
+}
+
+fn row_of<T: Listed>(ui: &mut Ui, value: &T, reading: &Reading<'_>, actions: &mut Vec<Action>) -> Response {
+    row(ui, &named(value.name(), T::WORD, value.id().into()), T::thing(value.id()), reading, actions)
 }
 
 fn row(ui: &mut Ui, text: &str, item: Item, reading: &Reading<'_>, actions: &mut Vec<Action>) -> Response {
@@ -74,7 +85,7 @@ fn row(ui: &mut Ui, text: &str, item: Item, reading: &Reading<'_>, actions: &mut
         egui::vec2(ui.available_width(), ui.spacing().interact_size.y),
         Layout::right_to_left(Align::Center),
         |ui| {
-            if !matches!(item, Item::Camera(_) | Item::Path(_) | Item::Aircraft(_)) {
+            if ViewState::can_hide(item) {
                 let locked = view.locked.contains(&item);
                 let (glyph, word) =
                     if locked { (icon::LOCK_SIMPLE, "Unlock") } else { (icon::LOCK_SIMPLE_OPEN, "Lock") };

@@ -4,7 +4,7 @@ use crate::state::{Action, Item, Reading};
 use crate::theme::{self, icon};
 use crate::widget::name_it;
 use cloudwright_core::problem::{self, Problem, Severity};
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{ForKind, Listed, Scene, for_each_kind};
 use cloudwright_core::version::Version;
 use egui::{Button, Id, RichText, ScrollArea, Ui};
 use std::sync::Arc;
@@ -69,30 +69,38 @@ fn item_at(place: &str, scene: &Scene) -> Option<(Item, String)> {
         let (list, rest) = part.split_once('[')?;
         Some((list, rest.strip_suffix(']')?.parse::<usize>().ok()?))
     });
-    let named =
-        |item, name: &str, kind: &str| Some((item, if name.is_empty() { kind.into() } else { format!("“{name}”") }));
-    match parts.next()?? {
-        ("models", at) => {
-            let model = scene.models.get(at)?;
-            match parts.next().flatten() {
-                Some(("boxes", at)) if let Some(each) = model.boxes.get(at) => {
-                    named(Item::Box(model.id, each.id), &each.name, "a box")
-                }
-                Some(("groups", at)) if let Some(group) = model.groups.get(at) => {
-                    named(Item::Group(model.id, group.id), &group.name, "a group")
-                }
-                _ => named(Item::Model(model.id), &model.name, "a model"),
+    let (list, at) = parts.next()??;
+    let mut place = Place { scene, list, at, found: None };
+    for_each_kind(&mut place);
+    let (item, name) = place.found?;
+    let part = scene.models.get(at).filter(|model| item == Item::Model(model.id)).and_then(|model| {
+        Some(match parts.next()?? {
+            ("boxes", at) => model.boxes.get(at).map(|each| (Item::Box(model.id, each.id), each.name.clone()))?,
+            ("groups", at) => {
+                model.groups.get(at).map(|group| (Item::Group(model.id, group.id), group.name.clone()))?
             }
+            _ => return None,
+        })
+    });
+    let (item, name) = part.unwrap_or((item, name));
+    let word = item.word();
+    let article = if word.starts_with(['a', 'e', 'i', 'o', 'u']) { "an" } else { "a" };
+    Some((item, if name.is_empty() { format!("{article} {word}") } else { format!("“{name}”") }))
+}
+
+/// A position in a list of the scene, and what stands there.
+struct Place<'a> {
+    scene: &'a Scene,
+    list: &'a str,
+    at: usize,
+    found: Option<(Item, String)>,
+}
+
+impl ForKind for Place<'_> {
+    fn kind<T: Listed>(&mut self) {
+        if T::LIST == self.list {
+            self.found = T::list(self.scene).get(self.at).map(|value| (T::thing(value.id()), value.name().into()));
         }
-        ("clouds", at) => scene.clouds.get(at).and_then(|cloud| named(Item::Cloud(cloud.id), &cloud.name, "a cloud")),
-        ("cameras", at) => {
-            scene.cameras.get(at).and_then(|camera| named(Item::Camera(camera.id), &camera.name, "a camera"))
-        }
-        ("paths", at) => scene.paths.get(at).and_then(|path| named(Item::Path(path.id), &path.name, "a path")),
-        ("aircraft", at) => {
-            scene.aircraft.get(at).and_then(|each| named(Item::Aircraft(each.id), &each.name, "an aircraft"))
-        }
-        _ => None,
     }
 }
 

@@ -3,11 +3,11 @@
 //! It runs in the view alone, as the time of day does: nothing can be undone or is unsaved. It runs from 0 to the chosen
 //! path's end; without a path that can be flown, until the last cloud has formed or gone.
 
-use super::selection::{Item, aircraft_of};
+use super::selection::Item;
 use super::time_play::MAX_STEP_S;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::parameter::Parameter;
-use cloudwright_core::scene::{CameraPath, Formation, PathId, Scene};
+use cloudwright_core::scene::{CameraPath, Formation, InScene, PathId, Scene};
 
 /// Without a path the clock runs for so long at least, seconds.
 const LEAST_S: f64 = 60.0;
@@ -114,12 +114,15 @@ impl Clock {
         }
     }
 
-    /// The selection says which path is chosen: it, or the one of its aircraft.
+    /// The selection says which path is chosen: it, or the one that it hangs on.
     pub(crate) fn choose(&mut self, primary: Option<Item>, scene: &Scene) {
         let chosen = match primary {
             Some(Item::Path(id)) => Some(id),
-            Some(Item::Aircraft(id)) => aircraft_of(scene, id).map(|aircraft| aircraft.path),
-            _ => None,
+            Some(item) => match item.listed(scene).and_then(InScene::hangs_on) {
+                Some((_, Item::Path(id))) => Some(id),
+                _ => None,
+            },
+            None => None,
         };
         self.path = chosen.or(self.path);
     }

@@ -20,7 +20,7 @@ pub(crate) use charting::{ChartChange, ChartSubject, Charting, WIDTHS_PX};
 pub(crate) use clock::{CLOCK_SPEED, Clock, ClockChange};
 pub(crate) use reading::Reading;
 pub use selection::{Choose, Item, Selection};
-pub(crate) use selection::{aircraft_of, box_of, camera_of, group_of};
+pub(crate) use selection::{box_of, group_of};
 pub use session::{Pending, Session};
 pub(crate) use starter::scene as starter_scene;
 pub(crate) use time_play::{MAX_STEP_S, TimePlay};

@@ -4,10 +4,9 @@
 //! shows. Boxes and sprites belong to models, which may be placed often: `through` is the placement in which the artist
 //! sees and moves them.
 
-pub use cloudwright_core::arrange::Thing as Item;
+pub use cloudwright_core::scene::Thing as Item;
 use cloudwright_core::scene::{
-    Aircraft, AircraftId, BoxId, Camera, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, ModelId, PathId,
-    Scene, ShadingGroup,
+    BoxId, Cloud, CloudBox, CloudId, CloudModel, GroupId, Listed, ModelId, Scene, ShadingGroup,
 };
 
 /// How a choice joins what is selected already.
@@ -83,7 +82,7 @@ impl Selection {
     /// Leaves out what the scene has no longer. If all of it is gone, the cloud that it was seen in is left.
     pub(crate) fn keep_what_is_in(&mut self, scene: &Scene) {
         let was_empty = self.items.is_empty();
-        self.items.retain(|item| is_in(*item, scene));
+        self.items.retain(|item| item.is_in(scene));
         self.through = self.through.filter(|id| scene.cloud(*id).is_some());
         if self.items.is_empty() && !was_empty {
             self.items.extend(self.through.map(Item::Cloud));
@@ -92,7 +91,7 @@ impl Selection {
 
     /// The selected clouds.
     pub fn clouds(&self) -> impl Iterator<Item = CloudId> + '_ {
-        self.items.iter().filter_map(|item| if let Item::Cloud(id) = item { Some(*id) } else { None })
+        self.all::<Cloud>()
     }
 
     /// The selected boxes with their models.
@@ -108,19 +107,9 @@ impl Selection {
         })
     }
 
-    /// The selected cameras.
-    pub(crate) fn cameras(&self) -> impl Iterator<Item = CameraId> + '_ {
-        self.items.iter().filter_map(|item| if let Item::Camera(id) = item { Some(*id) } else { None })
-    }
-
-    /// The selected camera paths.
-    pub(crate) fn paths(&self) -> impl Iterator<Item = PathId> + '_ {
-        self.items.iter().filter_map(|item| if let Item::Path(id) = item { Some(*id) } else { None })
-    }
-
-    /// The selected aircraft.
-    pub(crate) fn aircraft(&self) -> impl Iterator<Item = AircraftId> + '_ {
-        self.items.iter().filter_map(|item| if let Item::Aircraft(id) = item { Some(*id) } else { None })
+    /// The selected things of a kind.
+    pub(crate) fn all<T: Listed>(&self) -> impl Iterator<Item = T::Id> + '_ {
+        self.items.iter().filter_map(|item| T::id_of(*item))
     }
 
     /// The selected shading groups with their models.
@@ -137,13 +126,13 @@ impl Selection {
 
     /// The model of the primary: itself, its box's, sprite's or group's, or its cloud's.
     pub(crate) fn model<'s>(&self, scene: &'s Scene) -> Option<&'s CloudModel> {
-        scene.model(model_of(self.primary()?, scene)?)
+        scene.model(self.primary()?.model(scene)?)
     }
 
     /// The models of all that is selected, each once, the primary's first.
     pub(crate) fn models<'s>(&self, scene: &'s Scene) -> Vec<&'s CloudModel> {
         let mut models: Vec<&CloudModel> = Vec::new();
-        for id in self.items.iter().rev().filter_map(|item| model_of(*item, scene)) {
+        for id in self.items.iter().rev().filter_map(|item| item.model(scene)) {
             if !models.iter().any(|model| model.id == id) {
                 models.extend(scene.model(id));
             }
@@ -158,53 +147,20 @@ impl Selection {
         if let Item::Cloud(id) = primary {
             return scene.cloud(id);
         }
-        let model = model_of(primary, scene)?;
+        let model = primary.model(scene)?;
         let picked = self.through.and_then(|id| scene.cloud(id)).filter(|cloud| cloud.model == model);
         picked.or_else(|| scene.clouds.iter().find(|cloud| cloud.model == model))
     }
 }
 
-/// The model that a thing belongs to or places; none for cameras, paths and aircraft.
-pub(crate) fn model_of(item: Item, scene: &Scene) -> Option<ModelId> {
-    match item {
-        Item::Model(id) | Item::Box(id, _) | Item::Sprite(id, ..) | Item::Group(id, _) => Some(id),
-        Item::Cloud(id) => Some(scene.cloud(id)?.model),
-        Item::Camera(_) | Item::Path(_) | Item::Aircraft(_) => None,
-    }
-}
-
-/// Whether the scene has it.
-pub(super) fn is_in(item: Item, scene: &Scene) -> bool {
-    match item {
-        Item::Model(id) => scene.model(id).is_some(),
-        Item::Box(model, id) => box_of(scene, model, id).is_some(),
-        Item::Sprite(model, id, index) => box_of(scene, model, id).is_some_and(|each| index < each.sprite_count),
-        Item::Group(model, id) => group_of(scene, model, id).is_some(),
-        Item::Cloud(id) => scene.cloud(id).is_some(),
-        Item::Camera(id) => camera_of(scene, id).is_some(),
-        Item::Path(id) => scene.path(id).is_some(),
-        Item::Aircraft(id) => aircraft_of(scene, id).is_some(),
-    }
-}
-
 /// A box by its ids.
 pub(crate) fn box_of(scene: &Scene, model: ModelId, id: BoxId) -> Option<&CloudBox> {
-    scene.model(model)?.boxes.iter().find(|each| each.id == id)
+    scene.model(model)?.boxes.with_id(id)
 }
 
 /// A shading group by its ids.
 pub(crate) fn group_of(scene: &Scene, model: ModelId, id: GroupId) -> Option<&ShadingGroup> {
-    scene.model(model)?.groups.iter().find(|group| group.id == id)
-}
-
-/// A camera by its id.
-pub(crate) fn camera_of(scene: &Scene, id: CameraId) -> Option<&Camera> {
-    scene.cameras.iter().find(|camera| camera.id == id)
-}
-
-/// An aircraft by its id.
-pub(crate) fn aircraft_of(scene: &Scene, id: AircraftId) -> Option<&Aircraft> {
-    scene.aircraft.iter().find(|aircraft| aircraft.id == id)
+    scene.model(model)?.groups.with_id(id)
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! How the scene is looked at and worked on: selection, tool, what is hidden. Never saved, never undone.
 
-use super::selection::{Item, Selection, is_in};
+use super::selection::{Item, Selection};
 use cloudwright_core::draw_list::{Hidden, Sorting};
 use cloudwright_core::method::Method;
 use cloudwright_core::scene::{Cloud, PathId, Scene};
@@ -160,6 +160,11 @@ impl ViewState {
             && (self.solo.is_empty() || self.solo.contains(&item))
     }
 
+    /// Whether `item` can be hidden and locked by itself.
+    pub(crate) fn can_hide(item: Item) -> bool {
+        matches!(item, Item::Model(_) | Item::Box(..) | Item::Cloud(_))
+    }
+
     /// What the renderers leave out.
     pub(crate) fn hidden_in(&self, scene: &Scene) -> Hidden {
         if self.hidden.is_empty() && self.solo.is_empty() {
@@ -186,7 +191,7 @@ impl ViewState {
     pub(crate) fn keep_what_is_in(&mut self, scene: &Scene) {
         self.selection.keep_what_is_in(scene);
         for set in [&mut self.hidden, &mut self.locked, &mut self.solo] {
-            set.retain(|item| is_in(*item, scene));
+            set.retain(|item| item.is_in(scene));
         }
         self.path_key = self.path_key.filter(|(id, index)| {
             let count = scene.path(*id).map_or(0, |path| path.keys.len());

@@ -2,6 +2,7 @@
 
 use crate::state::{Item, Selection, Session, box_of};
 use cloudwright_core::arrange::ModelSpace;
+use cloudwright_core::scene::InScene;
 use cloudwright_core::sprites::PlacedCloud;
 use glam::DVec3;
 
@@ -43,9 +44,6 @@ fn spheres(item: Item, selection: &Selection, session: &Session) -> Vec<(DVec3, 
             });
             sphere.into_iter().collect()
         }
-        Item::Path(id) => {
-            scene.path(id).into_iter().flat_map(|path| &path.keys).map(|key| (key.position, 0.0)).collect()
-        }
-        Item::Camera(_) | Item::Aircraft(_) => Vec::new(),
+        other => other.listed(scene).into_iter().flat_map(InScene::points).map(|point| (point, 0.0)).collect(),
     }
 }

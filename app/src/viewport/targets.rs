@@ -3,13 +3,11 @@
 //! Every frame of a drag starts from there, so nothing drifts. Boxes and sprites are moved in the world of the cloud
 //! that they are seen in. What is locked or hidden stays. A thing whose whole is selected too moves with the whole.
 
-use crate::state::{Item, Reading, Tool, ViewState, box_of, camera_of, group_of};
+use crate::state::{Item, Reading, Tool, ViewState, box_of, group_of};
 use cloudwright_core::arrange::{ModelSpace, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::parameter::{BOX_SIZE, CLOUD_SCALE, POSITION};
-use cloudwright_core::scene::{
-    Camera, CameraPath, Cloud, CloudBox, GroupCenter, ModelId, PathKey, Scene, ShadingGroup,
-};
+use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, InScene, ModelId, PoseMut, Scene, ShadingGroup};
 use cloudwright_core::sprites::GroupKey;
 use glam::{DQuat, DVec3, EulerRot};
 use std::f64::consts::PI;
@@ -30,9 +28,9 @@ pub(super) enum Act {
 pub(super) struct Targets {
     clouds: Vec<Cloud>,
     boxes: Vec<(ModelSpace, ModelId, CloudBox)>,
-    cameras: Vec<Camera>,
-    /// With the key that is worked on, if it is one.
-    paths: Vec<(CameraPath, Option<usize>)>,
+    /// Cameras, paths and what else has poses, each in an edit that would leave it as it was, with the pose that is
+    /// worked on, if it is one.
+    posed: Vec<(Edit, Option<usize>)>,
     /// With their places in the world.
     sprites: Vec<(Cloud, sprites::SpriteId, DVec3)>,
     /// A group whose centre is moved, and where it lies in the world.
@@ -50,8 +48,7 @@ impl Targets {
         let mut targets = Self {
             clouds: Vec::new(),
             boxes: Vec::new(),
-            cameras: Vec::new(),
-            paths: Vec::new(),
+            posed: Vec::new(),
             sprites: Vec::new(),
             group: None,
             pivot: DVec3::ZERO,
@@ -96,20 +93,6 @@ impl Targets {
                 self.sprites.push((cloud.clone(), (id, index), place));
                 Some(place)
             }
-            Item::Camera(id) if tool != Tool::Scale => {
-                let camera = camera_of(scene, id)?;
-                self.cameras.push(camera.clone());
-                Some(camera.position)
-            }
-            Item::Path(id) if tool != Tool::Scale => {
-                let path = scene.path(id)?;
-                let key = view.key_of(id).filter(|index| *index < path.keys.len());
-                self.paths.push((path.clone(), key));
-                match key.and_then(|index| path.keys.get(index)) {
-                    Some(key) => Some(key.position),
-                    None => Some(path.keys.iter().map(|key| key.position).sum::<DVec3>() / path.keys.len() as f64),
-                }
-            }
             Item::Group(model, id) if tool == Tool::Move && view.selection.primary() == Some(item) => {
                 let cloud = seen_in(model, view, scene)?;
                 let group = group_of(scene, model, id).filter(|_| may_move(item, model, view, scene))?;
@@ -125,6 +108,16 @@ impl Targets {
                 self.group = Some((space, model, group.clone(), place));
                 Some(place)
             }
+            _ if tool != Tool::Scale => {
+                let mut edit = Edit::replacing(scene, item)?;
+                let places: Vec<DVec3> = edit.value_mut()?.poses_mut().iter().map(|pose| *pose.position).collect();
+                let key = if let Item::Path(id) = item { view.key_of(id) } else { None };
+                let key = key.filter(|index| *index < places.len());
+                let middle = || Some(places.iter().copied().reduce(|a, b| a + b)? / places.len() as f64);
+                let place = key.map_or_else(middle, |index| places.get(index).copied())?;
+                self.posed.push((edit, key));
+                Some(place)
+            }
             _ => None,
         }
     }
@@ -136,7 +129,7 @@ impl Targets {
 
     /// Whether it is one box, which may be stretched along its axes.
     pub(super) fn is_single_box(&self) -> bool {
-        self.boxes.len() == 1 && self.clouds.is_empty() && self.cameras.is_empty() && self.paths.is_empty()
+        self.boxes.len() == 1 && self.clouds.is_empty() && self.posed.is_empty()
     }
 
     /// What brings all of them where `act` says. `scene` is the one of this frame.
@@ -148,8 +141,13 @@ impl Targets {
                 .iter()
                 .map(|(space, model, each)| Edit::Box(*model, ListEdit::Replace(self.cloud_box(space, each, act)))),
         );
-        edits.extend(self.cameras.iter().map(|camera| Edit::Camera(ListEdit::Replace(self.camera(camera, act)))));
-        edits.extend(self.paths.iter().map(|(path, key)| Edit::Path(ListEdit::Replace(self.path(path, *key, act)))));
+        edits.extend(self.posed.iter().map(|(edit, key)| {
+            let mut edit = edit.clone();
+            if let Some(value) = edit.value_mut() {
+                self.carry(value, *key, act);
+            }
+            edit
+        }));
         edits.extend(self.group.as_ref().map(|(space, model, group, place)| {
             let mut group = group.clone();
             group.light.center = GroupCenter::At(space.from_world(self.place(*place, act)));
@@ -208,32 +206,28 @@ impl Targets {
         }
     }
 
-    /// One key, or all of them.
-    fn path(&self, old: &CameraPath, key: Option<usize>, act: Act) -> CameraPath {
-        let mut new = old.clone();
-        let keys = new.keys.iter_mut().enumerate();
-        for (_, each) in keys.filter(|(index, _)| key.is_none_or(|key| key == *index)) {
-            let PathKey { time_s, position, heading_deg, pitch_deg, roll_deg } = *each;
-            let seen = Camera { heading_deg, pitch_deg, roll_deg, ..Camera::free(position) };
-            let Camera { position, heading_deg, pitch_deg, roll_deg, .. } = self.camera(&seen, act);
-            *each = PathKey { time_s, position, heading_deg, pitch_deg, roll_deg };
+    /// One pose of a thing, or all of them.
+    fn carry(&self, value: &mut dyn InScene, key: Option<usize>, act: Act) {
+        let poses = value.poses_mut().into_iter().enumerate();
+        for (_, pose) in poses.filter(|(index, _)| key.is_none_or(|key| key == *index)) {
+            self.carry_pose(pose, act);
         }
-        new
     }
 
-    fn camera(&self, old: &Camera, act: Act) -> Camera {
-        let mut new = Camera { position: self.place(old.position, act), ..old.clone() };
-        let Act::Turn(axis, angle) = act else { return new };
+    fn carry_pose(&self, pose: PoseMut<'_>, act: Act) {
+        *pose.position = self.place(*pose.position, act);
+        let (Act::Turn(axis, angle), Some([heading_deg, pitch_deg, roll_deg])) = (act, pose.attitude_deg) else {
+            return;
+        };
         if axis.y.abs() > 1.0 - 1e-9 {
-            new.heading_deg = turned(old.heading_deg, axis.y.signum() * angle);
-            return new;
+            *heading_deg = turned(*heading_deg, axis.y.signum() * angle);
+            return;
         }
-        let [heading, pitch, roll] = [old.heading_deg, old.pitch_deg, old.roll_deg].map(f64::to_radians);
+        let [heading, pitch, roll] = [*heading_deg, *pitch_deg, *roll_deg].map(f64::to_radians);
         let turn = DQuat::from_axis_angle(axis, angle) * DQuat::from_euler(EulerRot::YXZ, -heading, pitch, -roll);
         let (yaw, pitch, roll) = turn.normalize().to_euler(EulerRot::YXZ);
         let degrees = |radians: f64| short_number(radians.to_degrees(), 1e6);
-        (new.heading_deg, new.pitch_deg, new.roll_deg) = (degrees(-yaw), degrees(pitch), degrees(-roll));
-        new
+        (*heading_deg, *pitch_deg, *roll_deg) = (degrees(-yaw), degrees(pitch), degrees(-roll));
     }
 }
 
@@ -269,14 +263,19 @@ fn may_move(item: Item, model: ModelId, view: &ViewState, scene: &Scene) -> bool
 mod tests {
     use super::*;
     use cloudwright_core::camera::View;
-    use cloudwright_core::scene::BoxId;
+    use cloudwright_core::scene::{BoxId, Camera, CameraPath, PathKey};
+
+    fn carried<T: InScene + Clone>(targets: &Targets, old: &T, key: Option<usize>, act: Act) -> T {
+        let mut new = old.clone();
+        targets.carry(&mut new, key, act);
+        new
+    }
 
     fn targets(pivot: DVec3) -> Targets {
         Targets {
             clouds: Vec::new(),
             boxes: Vec::new(),
-            cameras: Vec::new(),
-            paths: Vec::new(),
+            posed: Vec::new(),
             sprites: Vec::new(),
             group: None,
             pivot,
@@ -304,13 +303,13 @@ mod tests {
         let mut old = Camera::free(DVec3::new(5.0, 6.0, 7.0));
         (old.heading_deg, old.pitch_deg, old.roll_deg) = (33.0, -12.0, 8.0);
         let axis = DVec3::new(0.6, 0.0, 0.8);
-        let new = targets(old.position).camera(&old, Act::Turn(axis, 0.4));
+        let new = carried(&targets(old.position), &old, None, Act::Turn(axis, 0.4));
         let turn = DQuat::from_axis_angle(axis, 0.4);
         let (a, b) = (View::new(&old, 9, 9), View::new(&new, 9, 9));
         for (a, b) in [(a.forward, b.forward), (a.up, b.up), (a.right, b.right)] {
             assert!((turn * a.as_dvec3()).distance(b.as_dvec3()) < 1e-5, "{b}");
         }
-        let level = targets(old.position).camera(&old, Act::Turn(DVec3::NEG_Y, 0.5_f64.to_radians()));
+        let level = carried(&targets(old.position), &old, None, Act::Turn(DVec3::NEG_Y, 0.5_f64.to_radians()));
         assert_eq!((level.heading_deg, level.pitch_deg, level.roll_deg), (33.5, -12.0, 8.0));
     }
 
@@ -326,10 +325,10 @@ mod tests {
         let path = CameraPath::free((0..3).map(key).collect());
         let pivot = path.keys[1].position;
         let turn = Act::Turn(DVec3::NEG_Y, 90_f64.to_radians());
-        let alone = targets(pivot).path(&path, Some(1), turn);
+        let alone = carried(&targets(pivot), &path, Some(1), turn);
         assert_eq!((alone.keys[0], alone.keys[2]), (path.keys[0], path.keys[2]));
         assert_eq!((alone.keys[1].position, alone.keys[1].heading_deg), (pivot, -180.0));
-        let whole = targets(pivot).path(&path, None, turn);
+        let whole = carried(&targets(pivot), &path, None, turn);
         for (key, z) in whole.keys.iter().zip([-100.0, 0.0, 100.0]) {
             assert!(key.position.distance(DVec3::new(100.0, 0.0, z)) < 1e-3 && key.heading_deg == -180.0, "{key:?}");
         }

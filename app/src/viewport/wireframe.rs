@@ -72,7 +72,7 @@ pub(super) fn shows_boxes_of(cloud: &Cloud, state: &ViewState) -> bool {
     let about = |item: &Item| match *item {
         Item::Cloud(id) => id == cloud.id,
         Item::Model(of) | Item::Box(of, _) | Item::Sprite(of, ..) | Item::Group(of, _) => of == cloud.model,
-        Item::Camera(_) | Item::Path(_) | Item::Aircraft(_) => false,
+        _ => false,
     };
     state.show_all_boxes || state.group_view || state.selection.items().iter().any(about)
 }

@@ -5,43 +5,37 @@
 
 use super::copy::groups_of;
 use super::sprites::change_edits;
-use super::{Arrangement, Plan, Thing};
+use super::{Arrangement, Plan};
 use crate::document::{Edit, ListEdit};
-use crate::scene::{CloudModel, Scene};
+use crate::scene::{CloudModel, ForKind, Listed, Scene, Thing, for_each_kind};
 use std::collections::BTreeSet;
 
 /// Takes `things` out.
 pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
-    let doomed: BTreeSet<Thing> = things.iter().copied().collect();
+    let mut doom = Doom { scene, doomed: things.iter().copied().collect() };
+    for_each_kind(&mut doom);
+    let doomed = doom.doomed;
     let mut plan = Plan::new(scene);
-    for cloud in &scene.clouds {
-        if doomed.contains(&Thing::Cloud(cloud.id)) || doomed.contains(&Thing::Model(cloud.model)) {
-            plan.edits.push(Edit::Cloud(ListEdit::Remove(cloud.id)));
-        }
-    }
-    for model in &scene.models {
-        if doomed.contains(&Thing::Model(model.id)) {
-            plan.edits.push(Edit::Model(ListEdit::Remove(model.id)));
-        } else {
-            from_model(&mut plan, model, &doomed);
-        }
-    }
-    for camera in &scene.cameras {
-        if doomed.contains(&Thing::Camera(camera.id)) {
-            plan.edits.push(Edit::Camera(ListEdit::Remove(camera.id)));
-        }
-    }
-    for aircraft in &scene.aircraft {
-        if doomed.contains(&Thing::Aircraft(aircraft.id)) || doomed.contains(&Thing::Path(aircraft.path)) {
-            plan.edits.push(Edit::Aircraft(ListEdit::Remove(aircraft.id)));
-        }
-    }
-    for path in &scene.paths {
-        if doomed.contains(&Thing::Path(path.id)) {
-            plan.edits.push(Edit::Path(ListEdit::Remove(path.id)));
-        }
+    let listed = doomed.iter().filter(|thing| thing.listed(scene).is_some());
+    plan.edits.extend(listed.filter_map(|thing| Edit::removing(*thing)));
+    for model in scene.models.iter().filter(|model| !doomed.contains(&Thing::Model(model.id))) {
+        from_model(&mut plan, model, &doomed);
     }
     plan.done()
+}
+
+/// Dooms what hangs on what is doomed.
+struct Doom<'s> {
+    scene: &'s Scene,
+    doomed: BTreeSet<Thing>,
+}
+
+impl ForKind for Doom<'_> {
+    fn kind<T: Listed>(&mut self) {
+        let on_doomed = |value: &&T| value.hangs_on().is_some_and(|(_, on)| self.doomed.contains(&on));
+        let more: Vec<Thing> = T::list(self.scene).iter().filter(on_doomed).map(|value| T::thing(value.id())).collect();
+        self.doomed.extend(more);
+    }
 }
 
 fn from_model(plan: &mut Plan<'_>, model: &CloudModel, doomed: &BTreeSet<Thing>) {

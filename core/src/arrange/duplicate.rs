@@ -6,9 +6,9 @@
 use super::copy::{copy_model, copy_parts};
 use super::{Arrangement, Names, Plan, Thing, at_end, chosen};
 use crate::document::{Edit, ListEdit};
-use crate::scene::{Aircraft, AircraftId, BoxId, Camera, CameraId, CameraPath, Cloud, CloudId, ModelId, PathId, Scene};
+use crate::scene::{BoxId, Cloud, CloudId, ForKind, InScene, Listed, ModelId, Scene, for_each_kind};
 use glam::DVec3;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// What a copied cloud is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -89,46 +89,36 @@ pub fn boxes(scene: &Scene, model: ModelId, ids: &[BoxId], offset: DVec3) -> Arr
     plan.done()
 }
 
-/// Copies of cameras, `offset` metres in the world away.
-pub fn cameras(scene: &Scene, ids: &[CameraId], offset: DVec3) -> Arrangement {
-    let mut plan = Plan::new(scene);
-    let mut names = Names::new(scene.cameras.iter().map(|camera| camera.name.as_str()));
-    for old in chosen(&scene.cameras, ids) {
-        let id = CameraId::new(&mut plan.next_id);
-        let position = old.position + offset;
-        plan.edits.push(Edit::Camera(at_end(Camera { id, name: names.free(&old.name), position, ..old.clone() })));
-        plan.made.push(Thing::Camera(id));
-    }
-    plan.done()
+/// Copies of things that lie in lists of the scene by themselves: cameras, paths, aircraft. A copy that would hide its
+/// original steps aside; aircraft on a copied path stay on the old one. Clouds and models are copied by [`clouds`].
+pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
+    let chosen: BTreeSet<Thing> = things.iter().copied().collect();
+    let mut copies = Copies { plan: Plan::new(scene), chosen };
+    for_each_kind(&mut copies);
+    copies.plan.done()
 }
 
-/// Copies of paths, `offset` metres in the world away, without the aircraft on them.
-pub fn paths(scene: &Scene, ids: &[PathId], offset: DVec3) -> Arrangement {
-    let mut plan = Plan::new(scene);
-    let mut names = Names::new(scene.paths.iter().map(|path| path.name.as_str()));
-    for old in chosen(&scene.paths, ids) {
-        let id = PathId::new(&mut plan.next_id);
-        let mut new = CameraPath { id, name: names.free(&old.name), ..old.clone() };
-        for key in &mut new.keys {
-            key.position += offset;
+struct Copies<'a> {
+    plan: Plan<'a>,
+    chosen: BTreeSet<Thing>,
+}
+
+impl ForKind for Copies<'_> {
+    fn kind<T: Listed>(&mut self) {
+        let Self { plan, chosen } = self;
+        let list = T::list(plan.scene);
+        let mut names = Names::new(list.iter().map(InScene::name));
+        let is_whole = |thing: &Thing| !matches!(thing, Thing::Model(_) | Thing::Cloud(_)) && chosen.contains(thing);
+        for thing in list.iter().map(|value| T::thing(value.id())).filter(is_whole) {
+            let Some((mut edit, copy)) = Edit::copying(plan.scene, thing, &mut plan.next_id) else { continue };
+            if let Some(new) = edit.value_mut() {
+                *new.name_mut() = names.free(new.name());
+                new.step_aside();
+            }
+            plan.edits.push(edit);
+            plan.made.push(copy);
         }
-        plan.edits.push(Edit::Path(at_end(new)));
-        plan.made.push(Thing::Path(id));
     }
-    plan.done()
-}
-
-/// Copies of aircraft on the same paths, `later_s` seconds behind their originals.
-pub fn aircraft(scene: &Scene, ids: &[AircraftId], later_s: f64) -> Arrangement {
-    let mut plan = Plan::new(scene);
-    let mut names = Names::new(scene.aircraft.iter().map(|aircraft| aircraft.name.as_str()));
-    for old in chosen(&scene.aircraft, ids) {
-        let id = AircraftId::new(&mut plan.next_id);
-        let ahead_s = old.ahead_s - later_s;
-        plan.edits.push(Edit::Aircraft(at_end(Aircraft { id, name: names.free(&old.name), ahead_s, ..old.clone() })));
-        plan.made.push(Thing::Aircraft(id));
-    }
-    plan.done()
 }
 
 pub(super) fn model_names(scene: &Scene) -> Names {
@@ -140,7 +130,7 @@ mod tests {
     use super::super::test_scenes::{applied, assert_same_looks, placed, two_clouds};
     use super::*;
     use crate::problem::scene_with_flight;
-    use crate::scene::SpriteEdit;
+    use crate::scene::{PathId, SpriteEdit};
 
     #[test]
     fn linked_copies_share_the_model() {
@@ -199,8 +189,8 @@ mod tests {
         let new = after.models[0].boxes.last().expect("the copy");
         assert_eq!(arrangement.made, [Thing::Box(model.id, new.id)]);
         assert_eq!((new.center, new.group), (model.boxes[1].center + DVec3::Z * 50.0, model.boxes[1].group));
-        let after = applied(&scene, &cameras(&scene, &[scene.cameras[0].id], DVec3::Y));
-        assert_eq!(after.cameras[1].position, scene.cameras[0].position + DVec3::Y);
+        let after = applied(&scene, &things(&scene, &[Thing::Camera(scene.cameras[0].id)]));
+        assert_eq!(after.cameras[1].position, scene.cameras[0].position);
         assert_eq!(boxes(&scene, ModelId(9999), &[], DVec3::ZERO), Arrangement::default());
     }
 
@@ -208,14 +198,16 @@ mod tests {
     fn paths_and_aircraft() {
         let scene = scene_with_flight();
         let (path, leader) = (&scene.paths[0], &scene.aircraft[0]);
-        let arrangement = paths(&scene, &[path.id, PathId(9999)], DVec3::X * 300.0);
+        let arrangement = things(&scene, &[Thing::Path(path.id), Thing::Path(PathId(9999))]);
         let after = applied(&scene, &arrangement);
         let new = after.paths.last().expect("the copy");
         assert_eq!(arrangement.made, [Thing::Path(new.id)]);
         assert_eq!((new.name.as_str(), after.aircraft.len()), ("through 2", 1));
-        assert!(new.keys.iter().zip(&path.keys).all(|(new, old)| new.position == old.position + DVec3::X * 300.0));
-        let after = applied(&scene, &aircraft(&scene, &[leader.id], 1.5));
+        assert_eq!(new.keys, path.keys);
+        let after = applied(&scene, &things(&scene, &[Thing::Aircraft(leader.id)]));
         let new = after.aircraft.last().expect("the copy");
-        assert_eq!((new.path, new.ahead_s), (path.id, leader.ahead_s - 1.5));
+        assert_eq!((new.path, new.ahead_s), (path.id, leader.ahead_s - 0.5));
+        let whole = [Thing::Model(scene.models[0].id), Thing::Cloud(scene.clouds[0].id)];
+        assert_eq!(things(&scene, &whole), Arrangement::default(), "these have ways of their own");
     }
 }

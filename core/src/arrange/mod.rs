@@ -28,31 +28,7 @@ pub use model_space::ModelSpace;
 pub use names::Names;
 
 use crate::document::{Edit, ListEdit};
-use crate::scene::{
-    AircraftId, BoxId, CameraId, Cloud, CloudBox, CloudId, CloudModel, GroupId, HasId, IdCounter, List, ModelId,
-    PathId, Scene,
-};
-
-/// Something of a scene that can be chosen.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub enum Thing {
-    /// A cloud model.
-    Model(ModelId),
-    /// A placed cloud.
-    Cloud(CloudId),
-    /// A box of a model.
-    Box(ModelId, BoxId),
-    /// A shading group of a model.
-    Group(ModelId, GroupId),
-    /// A sprite of a box of a model, by its index in the box.
-    Sprite(ModelId, BoxId, u32),
-    /// A camera.
-    Camera(CameraId),
-    /// A camera path.
-    Path(PathId),
-    /// An aircraft.
-    Aircraft(AircraftId),
-}
+use crate::scene::{Cloud, CloudBox, CloudModel, HasId, IdCounter, List, ModelId, Scene, Thing};
 
 /// Edits that belong together.
 #[derive(Debug, Clone, PartialEq, Default)]

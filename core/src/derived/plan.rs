@@ -2,7 +2,7 @@
 //! only take other colours.
 
 use super::{Derived, Key, Populated, Source, Stand};
-use crate::document::Change;
+use crate::change::Change;
 use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene};
 use crate::sprites::{PLACING, PlacedCloud, STREWING, place_watched, populate_watched};
 use crate::version::Version;

@@ -2,44 +2,132 @@
 
 use super::{Change, EditError};
 use crate::scene::{
-    Aircraft, AircraftId, BoxId, Camera, CameraId, CameraPath, Cloud, CloudBox, CloudId, CloudModel, Ground, GroupId,
-    HasId, IdCounter, List, ModelId, PathId, Place, Scene, ShadingGroup, Sky, Sun,
+    Aircraft, AircraftId, Camera, CameraId, CameraPath, Cloud, CloudBox, CloudId, CloudModel, Ground, HasId, IdCounter,
+    InScene, List, ModelId, PathId, Place, Scene, ShadingGroup, Sky, Sun, Thing, kinds,
 };
 
-/// A named value that changes a scene.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Edit {
-    /// The scene's name.
-    Name(String),
-    /// The counter of ids, after taking some for new things.
-    NextId(IdCounter),
-    /// Local civil hours.
-    TimeOfDay(f64),
-    /// Place and date.
-    Place(Place),
-    /// Where the sun comes from.
-    Sun(Sun),
-    /// Light, air and exposure.
-    Sky(Sky),
-    /// The ground, or none.
-    Ground(Option<Ground>),
-    /// The scene's own sheet of tiles, or none.
-    Atlas(Option<String>),
-    /// A camera.
-    Camera(ListEdit<Camera>),
-    /// A cloud model.
-    Model(ListEdit<CloudModel>),
-    /// A box of a model.
-    Box(ModelId, ListEdit<CloudBox>),
-    /// A shading group of a model.
-    Group(ModelId, ListEdit<ShadingGroup>),
-    /// A placed cloud.
-    Cloud(ListEdit<Cloud>),
-    /// A camera path.
-    Path(ListEdit<CameraPath>),
-    /// An aircraft.
-    Aircraft(ListEdit<Aircraft>),
+macro_rules! edits {
+    ($($(#[$doc:meta])* $Kind:ident: $Value:ident, $Id:ident, $list:ident, $word:literal, $title:literal;)*) => {
+        /// A named value that changes a scene.
+        #[derive(Debug, Clone, PartialEq)]
+        pub enum Edit {
+            /// The scene's name.
+            Name(String),
+            /// The counter of ids, after taking some for new things.
+            NextId(IdCounter),
+            /// Local civil hours.
+            TimeOfDay(f64),
+            /// Place and date.
+            Place(Place),
+            /// Where the sun comes from.
+            Sun(Sun),
+            /// Light, air and exposure.
+            Sky(Sky),
+            /// The ground, or none.
+            Ground(Option<Ground>),
+            /// The scene's own sheet of tiles, or none.
+            Atlas(Option<String>),
+            /// A box of a model.
+            Box(ModelId, ListEdit<CloudBox>),
+            /// A shading group of a model.
+            Group(ModelId, ListEdit<ShadingGroup>),
+            $($(#[$doc])* $Kind(ListEdit<$Value>),)*
+        }
+
+        impl Edit {
+            /// Changes `scene` and gives the edit that leads back.
+            ///
+            /// # Errors
+            /// If it names something that the scene does not have; the scene is then untouched.
+            pub(super) fn apply(self, scene: &mut Scene) -> Result<Self, EditError> {
+                use std::mem::replace;
+                Ok(match self {
+                    Self::Name(name) => Self::Name(replace(&mut scene.name, name)),
+                    Self::NextId(next) => Self::NextId(replace(&mut scene.next_id, next)),
+                    Self::TimeOfDay(hour) => Self::TimeOfDay(replace(&mut scene.time_of_day_h, hour)),
+                    Self::Place(place) => Self::Place(replace(&mut scene.place, place)),
+                    Self::Sun(sun) => Self::Sun(replace(&mut scene.sun, sun)),
+                    Self::Sky(sky) => Self::Sky(replace(&mut scene.sky, sky)),
+                    Self::Ground(ground) => Self::Ground(replace(&mut scene.ground, ground)),
+                    Self::Atlas(atlas) => Self::Atlas(replace(&mut scene.atlas, atlas)),
+                    Self::Box(model, edit) => Self::Box(model, edit.apply(&mut model_mut(scene, model)?.boxes, "box")?),
+                    Self::Group(model, edit) => {
+                        Self::Group(model, edit.apply(&mut model_mut(scene, model)?.groups, "group")?)
+                    }
+                    $(Self::$Kind(edit) => Self::$Kind(edit.apply(&mut scene.$list, $word)?),)*
+                })
+            }
+
+            /// What the history calls a transaction that was given no name.
+            pub fn name(&self) -> String {
+                match self {
+                    Self::Name(_) => "Rename scene",
+                    Self::NextId(_) => "Take ids",
+                    Self::TimeOfDay(_) => "Time of day",
+                    Self::Place(_) => "Place and date",
+                    Self::Sun(_) => "Sun",
+                    Self::Sky(_) => "Sky",
+                    Self::Ground(_) => "Ground",
+                    Self::Atlas(_) => "Atlas",
+                    Self::Box(..) => "Box",
+                    Self::Group(..) => "Shading group",
+                    $(Self::$Kind(_) => $title,)*
+                }
+                .into()
+            }
+
+            /// Takes `thing` out, if it stands in a list.
+            pub fn removing(thing: Thing) -> Option<Self> {
+                Some(match thing {
+                    Thing::Box(model, id) => Self::Box(model, ListEdit::Remove(id)),
+                    Thing::Group(model, id) => Self::Group(model, ListEdit::Remove(id)),
+                    Thing::Sprite(..) => return None,
+                    $(Thing::$Kind(id) => Self::$Kind(ListEdit::Remove(id)),)*
+                })
+            }
+
+            /// Leaves `thing` as it is, if it is there and in a list of the scene: [`Self::value_mut`] then changes it.
+            pub fn replacing(scene: &Scene, thing: Thing) -> Option<Self> {
+                match thing {
+                    $(Thing::$Kind(id) => Some(Self::$Kind(ListEdit::Replace(scene.$list.with_id(id)?.clone()))),)*
+                    Thing::Box(..) | Thing::Group(..) | Thing::Sprite(..) => None,
+                }
+            }
+
+            /// Adds a copy of `thing`, if it is there and in a list of the scene, and tells what the copy is.
+            pub fn copying(scene: &Scene, thing: Thing, counter: &mut IdCounter) -> Option<(Self, Thing)> {
+                match thing {
+                    $(Thing::$Kind(id) => {
+                        let old = scene.$list.with_id(id)?.clone();
+                        let value = $Value { id: $Id::new(counter), ..old };
+                        let copy = Thing::$Kind(value.id);
+                        Some((Self::$Kind(ListEdit::Insert { at: usize::MAX, value }), copy))
+                    })*
+                    Thing::Box(..) | Thing::Group(..) | Thing::Sprite(..) => None,
+                }
+            }
+
+            /// What it puts into a list of the scene.
+            pub fn value_mut(&mut self) -> Option<&mut dyn InScene> {
+                match self {
+                    $(Self::$Kind(ListEdit::Insert { value, .. } | ListEdit::Replace(value)) => Some(value),)*
+                    _ => None,
+                }
+            }
+
+            /// What it does to which thing; none if it is of the scene's own values.
+            fn of_thing(&self) -> Option<(Thing, Way)> {
+                match self {
+                    Self::Box(model, edit) => Some((Thing::Box(*model, edit.id()), edit.way())),
+                    Self::Group(model, edit) => Some((Thing::Group(*model, edit.id()), edit.way())),
+                    $(Self::$Kind(edit) => Some((Thing::$Kind(edit.id()), edit.way())),)*
+                    _ => None,
+                }
+            }
+        }
+    };
 }
+kinds!(edits);
 
 /// A change to one of the scene's lists.
 #[derive(Debug, Clone, PartialEq)]
@@ -57,32 +145,14 @@ pub enum ListEdit<T: HasId> {
     Replace(T),
 }
 
-impl Edit {
-    /// Changes `scene` and gives the edit that leads back.
-    ///
-    /// # Errors
-    /// If it names something that the scene does not have; the scene is then untouched.
-    pub(super) fn apply(self, scene: &mut Scene) -> Result<Self, EditError> {
-        let swap = |place: &mut _, new| std::mem::replace(place, new);
-        Ok(match self {
-            Self::Name(name) => Self::Name(std::mem::replace(&mut scene.name, name)),
-            Self::NextId(next) => Self::NextId(std::mem::replace(&mut scene.next_id, next)),
-            Self::TimeOfDay(hour) => Self::TimeOfDay(swap(&mut scene.time_of_day_h, hour)),
-            Self::Place(place) => Self::Place(std::mem::replace(&mut scene.place, place)),
-            Self::Sun(sun) => Self::Sun(std::mem::replace(&mut scene.sun, sun)),
-            Self::Sky(sky) => Self::Sky(std::mem::replace(&mut scene.sky, sky)),
-            Self::Ground(ground) => Self::Ground(std::mem::replace(&mut scene.ground, ground)),
-            Self::Atlas(atlas) => Self::Atlas(std::mem::replace(&mut scene.atlas, atlas)),
-            Self::Camera(edit) => Self::Camera(edit.apply(&mut scene.cameras, "camera")?),
-            Self::Model(edit) => Self::Model(edit.apply(&mut scene.models, "model")?),
-            Self::Box(model, edit) => Self::Box(model, edit.apply(&mut model_mut(scene, model)?.boxes, "box")?),
-            Self::Group(model, edit) => Self::Group(model, edit.apply(&mut model_mut(scene, model)?.groups, "group")?),
-            Self::Cloud(edit) => Self::Cloud(edit.apply(&mut scene.clouds, "cloud")?),
-            Self::Path(edit) => Self::Path(edit.apply(&mut scene.paths, "path")?),
-            Self::Aircraft(edit) => Self::Aircraft(edit.apply(&mut scene.aircraft, "aircraft")?),
-        })
-    }
+/// Whether a list keeps its length.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Way {
+    AddsOrTakes,
+    Replaces,
+}
 
+impl Edit {
     /// What it touches.
     pub fn change(&self) -> Change {
         let mut change = Change::default();
@@ -92,38 +162,13 @@ impl Edit {
                 change.head = true;
             }
             Self::NextId(_) => {}
-            Self::Camera(edit) => change.cameras.extend([edit.id()]),
-            Self::Model(edit) => change.models.extend([edit.id()]),
-            Self::Box(model, _) | Self::Group(model, _) => change.models.extend([*model]),
-            Self::Cloud(edit) => change.clouds.extend([edit.id()]),
-            Self::Path(edit) => change.paths.extend([edit.id()]),
-            Self::Aircraft(edit) => change.aircraft.extend([edit.id()]),
+            // What a model consists of is touched as a whole.
+            Self::Box(model, _) | Self::Group(model, _) => change.things.extend([Thing::Model(*model)]),
+            listed => change.things.extend(listed.of_thing().map(|(thing, _)| thing)),
         }
         // The counter goes with the lists: what they may hold depends on it.
         change.lists = self.replaces().is_none_or(|part| part == Part::NextId);
         change
-    }
-
-    /// What the history calls a transaction that was given no name.
-    pub fn name(&self) -> String {
-        match self {
-            Self::Name(_) => "Rename scene",
-            Self::NextId(_) => "Take ids",
-            Self::TimeOfDay(_) => "Time of day",
-            Self::Place(_) => "Place and date",
-            Self::Sun(_) => "Sun",
-            Self::Sky(_) => "Sky",
-            Self::Ground(_) => "Ground",
-            Self::Atlas(_) => "Atlas",
-            Self::Camera(_) => "Camera",
-            Self::Model(_) => "Cloud model",
-            Self::Box(..) => "Box",
-            Self::Group(..) => "Shading group",
-            Self::Cloud(_) => "Cloud",
-            Self::Path(_) => "Path",
-            Self::Aircraft(_) => "Aircraft",
-        }
-        .into()
     }
 
     /// The part of the scene that it gives another value; none if it adds to a list or takes from one.
@@ -137,20 +182,10 @@ impl Edit {
             Self::Sky(_) => Part::Sky,
             Self::Ground(_) => Part::Ground,
             Self::Atlas(_) => Part::Atlas,
-            Self::Camera(ListEdit::Replace(camera)) => Part::Camera(camera.id),
-            Self::Model(ListEdit::Replace(model)) => Part::Model(model.id),
-            Self::Box(model, ListEdit::Replace(cloud_box)) => Part::Box(*model, cloud_box.id),
-            Self::Group(model, ListEdit::Replace(group)) => Part::Group(*model, group.id),
-            Self::Cloud(ListEdit::Replace(cloud)) => Part::Cloud(cloud.id),
-            Self::Path(ListEdit::Replace(path)) => Part::Path(path.id),
-            Self::Aircraft(ListEdit::Replace(aircraft)) => Part::Aircraft(aircraft.id),
-            Self::Camera(_)
-            | Self::Model(_)
-            | Self::Box(..)
-            | Self::Group(..)
-            | Self::Cloud(_)
-            | Self::Path(_)
-            | Self::Aircraft(_) => return None,
+            listed => match listed.of_thing()? {
+                (thing, Way::Replaces) => Part::Thing(thing),
+                (_, Way::AddsOrTakes) => return None,
+            },
         })
     }
 }
@@ -166,13 +201,7 @@ pub(super) enum Part {
     Sky,
     Ground,
     Atlas,
-    Camera(CameraId),
-    Model(ModelId),
-    Box(ModelId, BoxId),
-    Group(ModelId, GroupId),
-    Cloud(CloudId),
-    Path(PathId),
-    Aircraft(AircraftId),
+    Thing(Thing),
 }
 
 fn model_mut(scene: &mut Scene, id: ModelId) -> Result<&mut CloudModel, EditError> {
@@ -185,6 +214,10 @@ impl<T: HasId> ListEdit<T> {
             Self::Insert { value, .. } | Self::Replace(value) => value.id(),
             Self::Remove(id) => *id,
         }
+    }
+
+    fn way(&self) -> Way {
+        if matches!(self, Self::Replace(_)) { Way::Replaces } else { Way::AddsOrTakes }
     }
 
     fn apply(self, list: &mut List<T>, kind: &'static str) -> Result<Self, EditError> {

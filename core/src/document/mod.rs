@@ -4,14 +4,14 @@
 //! its inverse; a transaction collects inverses and becomes one undo point, or nothing. A drag is one transaction that
 //! stays open over many frames. What a transaction touched is told by its [`Change`].
 
-mod change;
 mod edit;
 mod history;
 mod transaction;
 
-pub use change::Change;
 pub use edit::{Edit, ListEdit};
 pub use history::History;
+
+pub use crate::change::Change;
 
 use crate::problem::{self, Problem, Severity};
 use crate::scene::Scene;

@@ -8,9 +8,11 @@
 //! eye bring a pose of their own; those that it has faded away, and clouds that have not begun to form, are left out.
 
 mod order;
+mod ranks;
 mod sorting;
 
-pub use order::{FADE_STEPS, OrderMemory, Ranks};
+pub use order::{FADE_STEPS, OrderMemory};
+pub use ranks::Ranks;
 pub use sorting::{LastSort, LazySorting, Sorting};
 
 use crate::camera::View;

@@ -4,7 +4,7 @@
 //! for a while and cross-fade to the new one, at the price of drawing twice while it fades. Whatever the way, an order
 //! is the place of every sprite, those out of view included: the head may turn before the next one is made.
 
-use super::{DrawList, LastSort, Sorting};
+use super::{LastSort, Ranks, Sorting};
 use crate::camera::View;
 use crate::sprites::PlacedCloud;
 use crate::version::Version;
@@ -12,12 +12,6 @@ use std::sync::Arc;
 
 /// Steps from one order to the next: half a second.
 pub const FADE_STEPS: u32 = 30;
-
-/// The place of every sprite from far to near, cloud by cloud.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Ranks {
-    pub(crate) of_cloud: Vec<Vec<u32>>,
-}
 
 /// The order that a view draws in, and the one that it comes from.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -61,22 +55,5 @@ impl OrderMemory {
         let share = 1.0 - self.age as f32 / FADE_STEPS as f32;
         let older = self.older.as_deref().filter(|older| share > 0.0 && Some(*older) != self.newest.as_deref());
         (self.newest.as_deref(), older.map(|older| (older, share)))
-    }
-}
-
-impl Ranks {
-    /// All sprites by their distance from the eye.
-    pub fn from_afar(clouds: &[PlacedCloud], view: &View) -> Self {
-        let list = DrawList::of_all(clouds, view);
-        let mut of_cloud: Vec<Vec<u32>> = clouds.iter().map(|cloud| vec![0; cloud.sprites.len()]).collect();
-        for (drawn, place) in list.sprites.iter().zip(0..) {
-            of_cloud[drawn.cloud as usize][drawn.sprite as usize] = place;
-        }
-        Self { of_cloud }
-    }
-
-    /// The place of a sprite; last for one that was not there.
-    pub(super) fn of(&self, cloud: u32, sprite: u32) -> u32 {
-        self.of_cloud.get(cloud as usize).and_then(|places| places.get(sprite as usize)).copied().unwrap_or(u32::MAX)
     }
 }

@@ -29,6 +29,11 @@ pub fn lock_distance(radius: f32) -> f32 {
     (LOCK_SHARE * radius).max(f32::MIN_POSITIVE)
 }
 
+/// How near to the eye a sprite of `radius` metres no longer simply faces it, metres.
+pub fn lock_reach(radius: f32) -> f32 {
+    SHELL * lock_distance(radius)
+}
+
 /// The rule: `to_eye` leads from the sprite's centre to the eye, `remembered` (unit) did so when the eye was last
 /// beyond the shell. Continuous in `to_eye`; an eye at the centre faces nothing and sees nothing.
 pub fn lock(to_eye: Vec3, remembered: Vec3, lock_m: f32) -> Locked {

@@ -5,7 +5,7 @@
 //! follows from the eye's place alone. A cloud out of reach of both costs two comparisons, and nothing for each sprite.
 //! Steps are made in order by whoever flies; what a view shows between two steps is one more step that is thrown away.
 
-use super::lock::{Locked, lock_distance};
+use super::lock::{Locked, lock_distance, lock_reach};
 use super::rule::FacingRule;
 use super::{Pose, upright};
 use crate::camera::View;
@@ -114,7 +114,7 @@ impl ToEye {
 
     /// Whether some sprite may be within its shell.
     fn is_near(&self, cloud: &PlacedCloud) -> bool {
-        (self.now - cloud.center).length() < cloud.lock_reach + self.nearest
+        (self.now - cloud.center).length() < cloud.radius + lock_reach(cloud.largest) + self.nearest
     }
 
     /// Whether some sprite may be near straight above or below the eye: the cone around the pole, widened by the sphere

@@ -12,7 +12,7 @@ mod poses;
 mod rule;
 pub mod upright;
 
-pub use lock::{LOCK_SHARE, Locked, SHELL, lock, lock_distance, near_fade, near_reach};
+pub use lock::{LOCK_SHARE, Locked, SHELL, lock, lock_distance, lock_reach, near_fade, near_reach};
 pub use memory::FacingMemory;
 pub use poses::{Posed, Poses};
 pub use rule::FacingRule;

@@ -7,13 +7,13 @@
 use super::Problem;
 use super::scope::Scope;
 use crate::flight::SHORTEST_LEG_S;
-use crate::scene::CameraPath;
+use crate::scene::{Aircraft, CameraPath};
 
 pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
-    for (i, path) in scope.paths() {
+    for (i, path) in scope.all::<CameraPath>() {
         check_path(i, path, problems);
     }
-    for (i, aircraft) in scope.aircraft() {
+    for (i, aircraft) in scope.all::<Aircraft>() {
         if let Some(name) = aircraft.model.as_deref().filter(|name| !is_file_name(name)) {
             problems.push(Problem::error(
                 format!("aircraft[{i}].model"),

@@ -3,7 +3,7 @@
 
 use super::Problem;
 use super::scope::Scope;
-use crate::scene::CloudModel;
+use crate::scene::{CloudModel, ForKind, Listed, Scene, for_each_kind};
 use rustc_hash::FxHashMap;
 use std::collections::BTreeSet;
 
@@ -15,45 +15,60 @@ pub(super) fn check(Scope { scene, change }: Scope<'_>, problems: &mut Vec<Probl
         let message = format!("{} leaves no ids for new things", scene.next_id.0);
         problems.push(Problem::error("next_id", message, "set it to one more than the largest id in the scene"));
     }
-    // Places are put into words only where something is wrong: a drag asks at every step.
-    let mut check_kind = |ids: &mut dyn Iterator<Item = (u64, [usize; 2])>, place: &dyn Fn([usize; 2]) -> String| {
+    let mut ids = Ids { scene, problems };
+    // What is in no list but the scene's keeps its id as long as it is there.
+    if change.touches_lists() {
+        for_each_kind(&mut ids);
+    }
+    if change.touches_lists() || change.touches_models() {
+        let boxes = |model: &CloudModel| model.boxes.iter().map(|each| each.id.0).collect();
+        ids.check(&mut parts(scene, boxes), &|[i, j]| format!("models[{i}].boxes[{j}].id"));
+        let groups = |model: &CloudModel| model.groups.iter().map(|group| group.id.0).collect();
+        ids.check(&mut parts(scene, groups), &|[i, j]| format!("models[{i}].groups[{j}].id"));
+    }
+    check_names("camera", "cameras", scene.cameras.iter().map(|camera| camera.name.as_str()), problems);
+    check_names("path", "paths", scene.paths.iter().map(|path| path.name.as_str()), problems);
+}
+
+struct Ids<'a> {
+    scene: &'a Scene,
+    problems: &'a mut Vec<Problem>,
+}
+
+impl Ids<'_> {
+    /// Places are put into words only where something is wrong: a drag asks at every step.
+    fn check(&mut self, ids: &mut dyn Iterator<Item = (u64, [usize; 2])>, place: &dyn Fn([usize; 2]) -> String) {
+        let next_id = self.scene.next_id.0;
         let mut seen: FxHashMap<u64, [usize; 2]> = FxHashMap::default();
         for (id, at) in ids {
-            if id >= scene.next_id.0 {
-                let message = format!("id {id} is not below next_id, {}", scene.next_id.0);
-                problems.push(Problem::error(place(at), message, format!("raise next_id above {id}")));
+            if id >= next_id {
+                let message = format!("id {id} is not below next_id, {next_id}");
+                self.problems.push(Problem::error(place(at), message, format!("raise next_id above {id}")));
             }
             if let Some(first) = seen.get(&id) {
                 let message = format!("id {id} is taken already, at {}", place(*first));
-                problems.push(Problem::error(place(at), message, "give it an id of its own"));
+                self.problems.push(Problem::error(place(at), message, "give it an id of its own"));
             } else {
                 seen.insert(id, at);
             }
         }
-    };
-    let models = || scene.models.iter().enumerate();
-    let in_list = |list: &'static str| move |[i, _]: [usize; 2]| format!("{list}[{i}].id");
-    let in_model = |list: &'static str| move |[i, j]: [usize; 2]| format!("models[{i}].{list}[{j}].id");
-    let boxes = |(i, m): (usize, &'_ CloudModel)| -> Vec<_> {
-        m.boxes.iter().enumerate().map(|(j, b)| (b.id.0, [i, j])).collect()
-    };
-    let groups = |(i, m): (usize, &'_ CloudModel)| -> Vec<_> {
-        m.groups.iter().enumerate().map(|(j, g)| (g.id.0, [i, j])).collect()
-    };
-    // What is in no list but the scene's keeps its id as long as it is there.
-    if change.touches_lists() {
-        check_kind(&mut scene.cameras.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("cameras"));
-        check_kind(&mut models().map(|(i, m)| (m.id.0, [i, 0])), &in_list("models"));
-        check_kind(&mut scene.clouds.iter().enumerate().map(|(i, c)| (c.id.0, [i, 0])), &in_list("clouds"));
-        check_kind(&mut scene.paths.iter().enumerate().map(|(i, p)| (p.id.0, [i, 0])), &in_list("paths"));
-        check_kind(&mut scene.aircraft.iter().enumerate().map(|(i, a)| (a.id.0, [i, 0])), &in_list("aircraft"));
     }
-    if change.touches_lists() || change.touches_models() {
-        check_kind(&mut models().flat_map(boxes), &in_model("boxes"));
-        check_kind(&mut models().flat_map(groups), &in_model("groups"));
+}
+
+impl ForKind for Ids<'_> {
+    fn kind<T: Listed>(&mut self) {
+        let mut ids = T::list(self.scene).iter().enumerate().map(|(i, value)| (value.id().into(), [i, 0]));
+        self.check(&mut ids, &|[i, _]| format!("{}[{i}].id", T::LIST));
     }
-    check_names("camera", "cameras", scene.cameras.iter().map(|camera| camera.name.as_str()), problems);
-    check_names("path", "paths", scene.paths.iter().map(|path| path.name.as_str()), problems);
+}
+
+/// Ids of parts of all models, with the positions of model and part.
+fn parts(scene: &Scene, ids: impl Fn(&CloudModel) -> Vec<u64>) -> impl Iterator<Item = (u64, [usize; 2])> {
+    scene
+        .models
+        .iter()
+        .enumerate()
+        .flat_map(move |(i, model)| ids(model).into_iter().enumerate().map(move |(j, id)| (id, [i, j])))
 }
 
 fn check_names<'a>(kind: &str, list: &str, names: impl Iterator<Item = &'a str>, problems: &mut Vec<Problem>) {

@@ -3,9 +3,10 @@
 
 use super::Problem;
 use super::scope::Scope;
-use crate::document::Change;
-use crate::scene::{CloudBox, CloudModel, GroupId, ModelId};
-use std::collections::BTreeSet;
+use crate::change::Change;
+use crate::scene::{CloudBox, CloudModel, ForKind, GroupId, Listed, Thing, for_each_kind};
+use rustc_hash::FxHashSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Arguments;
 
 pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
@@ -13,22 +14,16 @@ pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
     // Where something may be gone, all that may have named it is asked.
     let everything = Change::everything();
     let naming = Scope { scene, change: if change.touches_lists() { &everything } else { change } };
-    let models: BTreeSet<ModelId> = scene.models.iter().map(|model| model.id).collect();
-    for (i, cloud) in naming.clouds() {
-        if !models.contains(&cloud.model) {
+    let mut hanging = Hanging { scope: naming, found: Vec::new() };
+    for_each_kind(&mut hanging);
+    let mut there: BTreeMap<&str, FxHashSet<u64>> = BTreeMap::new();
+    for (list_name, i, field, on) in hanging.found {
+        let Some((id, others_name, others)) = on.among(scene) else { continue };
+        if !there.entry(others_name).or_insert_with(|| others.iter().copied().collect()).contains(&id) {
             problems.push(Problem::error(
-                format!("clouds[{i}].model"),
-                format!("there is no model {}", cloud.model),
-                format!("the models are {}", list(scene.models.iter().map(|m| m.id.to_string()))),
-            ));
-        }
-    }
-    for (i, aircraft) in naming.aircraft() {
-        if scene.path(aircraft.path).is_none() {
-            problems.push(Problem::error(
-                format!("aircraft[{i}].path"),
-                format!("there is no path {}", aircraft.path),
-                format!("the paths are {}", list(scene.paths.iter().map(|p| p.id.to_string()))),
+                format!("{list_name}[{i}].{field}"),
+                format!("there is no {} {id}", on.word()),
+                format!("the {others_name} are {}", list(others.iter().map(u64::to_string))),
             ));
         }
     }
@@ -37,6 +32,19 @@ pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
         for (j, cloud_box) in model.boxes.iter().enumerate() {
             check_box(format_args!("models[{i}].boxes[{j}]"), (model, &groups), cloud_box, problems);
         }
+    }
+}
+
+/// What hangs on something: list, position, field, and on what.
+struct Hanging<'a> {
+    scope: Scope<'a>,
+    found: Vec<(&'static str, usize, &'static str, Thing)>,
+}
+
+impl ForKind for Hanging<'_> {
+    fn kind<T: Listed>(&mut self) {
+        let on = |(i, value): (usize, &T)| value.hangs_on().map(|(field, on)| (T::LIST, i, field, on));
+        self.found.extend(self.scope.all::<T>().filter_map(on));
     }
 }
 

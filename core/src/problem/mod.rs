@@ -18,7 +18,7 @@ mod unused_groups;
 
 pub use too_many_sprites::MAX_SPRITES_TRIED;
 
-use crate::document::Change;
+use crate::change::Change;
 use crate::scene::Scene;
 use scope::Scope;
 use std::fmt;

@@ -7,7 +7,9 @@ use super::Problem;
 use super::scope::Scope;
 use crate::color::{Rgb, Rgba};
 use crate::parameter::{self as p, Parameter};
-use crate::scene::{CameraPath, CloudModel, CullRadius, Formation, GroupCenter, GroupLight, Scene, Sky, Sun};
+use crate::scene::{
+    Aircraft, Camera, CameraPath, Cloud, CloudModel, CullRadius, Formation, GroupCenter, GroupLight, Scene, Sky, Sun,
+};
 use glam::DVec3;
 use std::fmt::Arguments;
 
@@ -22,7 +24,7 @@ pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
         walk.rgb(format_args!("ground.dark"), ground.dark);
         walk.rgb(format_args!("ground.bright"), ground.bright);
     }
-    for (i, camera) in scope.cameras() {
+    for (i, camera) in scope.all::<Camera>() {
         walk.point(format_args!("cameras[{i}].position"), &p::POSITION, camera.position);
         walk.number(format_args!("cameras[{i}].heading_deg"), &p::HEADING_DEG, camera.heading_deg);
         walk.number(format_args!("cameras[{i}].pitch_deg"), &p::PITCH_DEG, camera.pitch_deg);
@@ -32,7 +34,7 @@ pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
     for (i, model) in scope.models() {
         walk.model(format_args!("models[{i}]"), model);
     }
-    for (i, cloud) in scope.clouds() {
+    for (i, cloud) in scope.all::<Cloud>() {
         walk.point(format_args!("clouds[{i}].position"), &p::POSITION, cloud.position);
         walk.number(format_args!("clouds[{i}].heading_deg"), &p::HEADING_DEG, cloud.heading_deg);
         walk.number(format_args!("clouds[{i}].scale"), &p::CLOUD_SCALE, cloud.scale);
@@ -40,10 +42,10 @@ pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
             walk.formation(format_args!("clouds[{i}].formation"), formation);
         }
     }
-    for (i, path) in scope.paths() {
+    for (i, path) in scope.all::<CameraPath>() {
         walk.path(format_args!("paths[{i}]"), path);
     }
-    for (i, aircraft) in scope.aircraft() {
+    for (i, aircraft) in scope.all::<Aircraft>() {
         walk.number(format_args!("aircraft[{i}].ahead_s"), &p::AIRCRAFT_AHEAD_S, aircraft.ahead_s);
         walk.number(format_args!("aircraft[{i}].scale"), &p::AIRCRAFT_SCALE, aircraft.scale);
     }

@@ -3,8 +3,8 @@
 //! Lists are handed out with positions, less what was not touched. A check of one thing by itself reads those; one that
 //! sets things against one another asks the change, and looks at all of them where any may matter.
 
-use crate::document::Change;
-use crate::scene::{Aircraft, Camera, CameraPath, Cloud, CloudModel, List, Scene};
+use crate::change::Change;
+use crate::scene::{CloudModel, Listed, Scene};
 
 /// A scene and what was touched of it.
 #[derive(Debug, Clone, Copy)]
@@ -14,29 +14,14 @@ pub(super) struct Scope<'a> {
 }
 
 impl<'a> Scope<'a> {
-    pub(super) fn cameras(self) -> impl Iterator<Item = (usize, &'a Camera)> {
-        touched(&self.scene.cameras, move |camera| self.change.touches_camera(camera.id))
+    /// Those of a kind that were touched, with their positions.
+    pub(super) fn all<T: Listed>(self) -> impl Iterator<Item = (usize, &'a T)> {
+        T::list(self.scene).iter().enumerate().filter(move |(_, value)| self.change.touches(T::thing(value.id())))
     }
 
     pub(super) fn models(self) -> impl Iterator<Item = (usize, &'a CloudModel)> {
-        touched(&self.scene.models, move |model| self.change.touches_model(model.id))
+        self.all()
     }
-
-    pub(super) fn clouds(self) -> impl Iterator<Item = (usize, &'a Cloud)> {
-        touched(&self.scene.clouds, move |cloud| self.change.touches_cloud(cloud.id))
-    }
-
-    pub(super) fn paths(self) -> impl Iterator<Item = (usize, &'a CameraPath)> {
-        touched(&self.scene.paths, move |path| self.change.touches_path(path.id))
-    }
-
-    pub(super) fn aircraft(self) -> impl Iterator<Item = (usize, &'a Aircraft)> {
-        touched(&self.scene.aircraft, move |aircraft| self.change.touches_aircraft(aircraft.id))
-    }
-}
-
-fn touched<T>(list: &List<T>, is_touched: impl Fn(&T) -> bool) -> impl Iterator<Item = (usize, &T)> {
-    list.iter().enumerate().filter(move |(_, value)| is_touched(value))
 }
 
 #[cfg(test)]

@@ -1,6 +1,6 @@
 //! An aircraft that flies along a camera path.
 
-use super::{AircraftId, HasId, PathId};
+use super::{AircraftId, HasId, InScene, PathId, Thing};
 use crate::parameter;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -45,5 +45,24 @@ impl HasId for Aircraft {
     type Id = AircraftId;
     fn id(&self) -> AircraftId {
         self.id
+    }
+}
+
+impl InScene for Aircraft {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn name_mut(&mut self) -> &mut String {
+        &mut self.name
+    }
+
+    fn hangs_on(&self) -> Option<(&'static str, Thing)> {
+        Some(("path", Thing::Path(self.path)))
+    }
+
+    /// Astern by some lengths of an aircraft at its usual speed.
+    fn step_aside(&mut self) {
+        self.ahead_s -= 0.5;
     }
 }

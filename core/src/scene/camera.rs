@@ -1,6 +1,6 @@
 //! A named camera, as saved.
 
-use super::{CameraId, HasId, IdCounter};
+use super::{CameraId, HasId, IdCounter, InScene, PoseMut};
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -51,5 +51,20 @@ impl HasId for Camera {
     type Id = CameraId;
     fn id(&self) -> CameraId {
         self.id
+    }
+}
+
+impl InScene for Camera {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn name_mut(&mut self) -> &mut String {
+        &mut self.name
+    }
+
+    fn poses_mut(&mut self) -> Vec<PoseMut<'_>> {
+        let Self { position, heading_deg, pitch_deg, roll_deg, .. } = self;
+        vec![PoseMut { position, attitude_deg: Some([heading_deg, pitch_deg, roll_deg]) }]
     }
 }

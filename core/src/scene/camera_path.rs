@@ -1,6 +1,6 @@
 //! A camera's flight: where it is and where it looks at given times. Between the keys runs [`crate::flight::PathCurve`].
 
-use super::{HasId, IdCounter, PathId};
+use super::{HasId, IdCounter, InScene, PathId, PoseMut};
 use crate::parameter;
 use glam::DVec3;
 use schemars::JsonSchema;
@@ -58,5 +58,27 @@ impl HasId for CameraPath {
     type Id = PathId;
     fn id(&self) -> PathId {
         self.id
+    }
+}
+
+impl InScene for CameraPath {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn name_mut(&mut self) -> &mut String {
+        &mut self.name
+    }
+
+    fn poses_mut(&mut self) -> Vec<PoseMut<'_>> {
+        let poses = self.keys.iter_mut().map(|PathKey { position, heading_deg, pitch_deg, roll_deg, .. }| PoseMut {
+            position,
+            attitude_deg: Some([heading_deg, pitch_deg, roll_deg]),
+        });
+        poses.collect()
+    }
+
+    fn points(&self) -> Vec<DVec3> {
+        self.keys.iter().map(|key| key.position).collect()
     }
 }

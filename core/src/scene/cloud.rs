@@ -1,6 +1,6 @@
 //! A cloud: a model placed in the scene.
 
-use super::{CloudId, CloudModel, Formation, HasId, ModelId};
+use super::{CloudId, CloudModel, Formation, HasId, InScene, ModelId, Thing};
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -56,5 +56,19 @@ impl HasId for Cloud {
     type Id = CloudId;
     fn id(&self) -> CloudId {
         self.id
+    }
+}
+
+impl InScene for Cloud {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn name_mut(&mut self) -> &mut String {
+        &mut self.name
+    }
+
+    fn hangs_on(&self) -> Option<(&'static str, Thing)> {
+        Some(("model", Thing::Model(self.model)))
     }
 }

@@ -26,7 +26,7 @@ impl IdCounter {
 /// A thing that stands in one of the scene's lists under an id of its own.
 pub trait HasId: Clone + PartialEq {
     /// Its kind of id.
-    type Id: Copy + Eq + Ord + fmt::Debug + fmt::Display;
+    type Id: Copy + Eq + Ord + fmt::Debug + fmt::Display + Into<u64>;
     /// Its id.
     fn id(&self) -> Self::Id;
 }
@@ -42,6 +42,12 @@ macro_rules! ids {
             /// The next free id.
             pub fn new(counter: &mut IdCounter) -> Self {
                 Self(counter.take())
+            }
+        }
+
+        impl From<$name> for u64 {
+            fn from(id: $name) -> Self {
+                id.0
             }
         }
 

@@ -1,7 +1,7 @@
 //! A cloud model: boxes, colours and groups, defined once and placed often.
 
 use super::color_levels::default_levels;
-use super::{Category, CloudBox, ColorLevels, HasId, List, ModelId, ShadingGroup};
+use super::{Category, CloudBox, ColorLevels, HasId, InScene, List, ModelId, ShadingGroup};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -69,5 +69,15 @@ impl HasId for CloudModel {
     type Id = ModelId;
     fn id(&self) -> ModelId {
         self.id
+    }
+}
+
+impl InScene for CloudModel {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn name_mut(&mut self) -> &mut String {
+        &mut self.name
     }
 }

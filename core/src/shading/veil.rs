@@ -10,7 +10,7 @@ use super::corner_light;
 use crate::camera::View;
 use crate::color::{Premultiplied, Rgb};
 use crate::draw_list::Hidden;
-use crate::facing::Poses;
+use crate::facing::{Poses, lock_reach};
 use crate::sprites::{Atlas, PlacedCloud};
 use crate::weather::{Formed, Light};
 
@@ -39,7 +39,7 @@ pub fn veil(
             let sprite = &cloud.sprites[posed.sprite as usize];
             let gone = 1.0 - posed.pose.fade;
             if gone <= 0.0
-                || sprite.position.distance(eye) > sprite.lock_reach()
+                || sprite.position.distance(eye) > lock_reach(sprite.radius())
                 || hidden.boxes.contains(&sprite.box_id)
             {
                 continue;

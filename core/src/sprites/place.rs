@@ -4,7 +4,6 @@
 //! one at the origin.
 
 use super::{Candidate, PopulatedModel};
-use crate::facing::{SHELL, lock_distance};
 use crate::scene::{
     BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, Formation, GroupCenter, GroupId, GroupLight,
 };
@@ -39,11 +38,6 @@ impl Sprite {
     /// Half the longer side, metres (MODEL §2).
     pub fn radius(&self) -> f32 {
         self.width.max(self.height) * 0.5
-    }
-
-    /// How near to the eye it no longer simply faces it, metres.
-    pub fn lock_reach(&self) -> f32 {
-        SHELL * lock_distance(self.radius())
     }
 
     /// Half the diagonal, metres: the sphere that holds the quad however it is turned.
@@ -106,8 +100,8 @@ pub struct PlacedCloud {
     pub radius: f32,
     /// Radius of a sphere around `center` that holds every quad, metres.
     pub reach: f32,
-    /// Radius of a sphere around `center` beyond which an eye is within no sprite's shell ([`crate::facing`]), metres.
-    pub lock_reach: f32,
+    /// The largest radius of a sprite, metres.
+    pub largest: f32,
     /// Lowest y of the sprites' spheres, relative to `origin`, metres.
     pub bottom: f32,
     /// Highest y of the sprites' spheres, relative to `origin`, metres.
@@ -200,7 +194,7 @@ pub(crate) fn place_watched(
         bottom: sprites.iter().map(|s| s.position.y - s.radius()).reduce(f32::min).unwrap_or(0.0),
         top: sprites.iter().map(|s| s.position.y + s.radius()).reduce(f32::max).unwrap_or(0.0),
         radius,
-        lock_reach: sprites.iter().map(|s| s.position.distance(center) + s.lock_reach()).fold(0.0, f32::max),
+        largest: sprites.iter().map(Sprite::radius).fold(0.0, f32::max),
         reach: radius + sprites.iter().map(Sprite::reach).fold(0.0, f32::max),
         center,
         groups,

@@ -4,7 +4,8 @@ mod imports;
 mod words;
 
 use cloudwright_tests::root;
-use imports::Imports;
+use imports::{Imports, room};
+use std::collections::BTreeSet;
 use std::fs;
 use std::path::Path;
 use words::words;
@@ -88,14 +89,21 @@ const APP: [&[&str]; 9] = [
 #[test]
 fn no_import_in_app_runs_back() {
     let imports = Imports::of(&root().join("app/src"));
-    let room = |file: &str| file.split(['/', '.']).next().unwrap_or_default().to_string();
-    let floor = |file: &str| APP.iter().position(|rooms| rooms.contains(&room(file).as_str()));
+    let floor = |file: &str| APP.iter().position(|rooms| rooms.contains(&room(file)));
     for (from, to, path) in imports.iter().filter(|(from, to, _)| ![*from, *to].contains(&"lib.rs")) {
         let [Some(own), Some(other)] = [floor(from), floor(to)] else {
             panic!("{from} or {to} has no floor in APP");
         };
         assert!(own < other || room(from) == room(to), "app/src/{from} imports {path}, which is no floor below");
     }
+}
+
+#[test]
+fn variants_are_reached_only_where_methods_are_chosen() {
+    let imports = Imports::of(&root().join("core/src"));
+    let reach = imports.iter().filter(|(from, to, _)| room(to) == "variants" && room(from) != "variants");
+    let from: BTreeSet<&str> = reach.map(|(from, ..)| from).collect();
+    assert_eq!(from, ["draw.rs", "method/table.rs"].into());
 }
 
 /// Sources of app with one of `names` in them lie in one of `places`, and in each of these are some.
@@ -127,12 +135,14 @@ fn window_and_device_are_known_only_where_they_are_needed() {
 }
 
 #[test]
-fn no_files_import_each_other_in_a_circle() {
+fn nothing_imports_itself_round_about() {
     let mut circles = String::new();
-    for package in ["render", "app"] {
-        let imports = Imports::of(&root().join(package).join("src"));
-        assert!(imports.iter().count() > 0, "nothing imports anything in {package}");
-        circles.extend(imports.circles().iter().map(|circle| format!("in {package}, {circle}")));
+    for package in ["core", "render", "app"] {
+        let files = Imports::of(&root().join(package).join("src"));
+        assert!(files.iter().count() > 0, "nothing imports anything in {package}");
+        for (what, imports) in [("rooms", files.of_rooms()), ("files", files)] {
+            circles.extend(imports.circles().iter().map(|circle| format!("{what} of {package}: {circle}")));
+        }
     }
     assert!(circles.is_empty(), "{circles}");
 }

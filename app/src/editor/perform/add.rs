@@ -2,7 +2,7 @@
 
 use crate::command::Command;
 use crate::editor::Editor;
-use crate::state::{Item, Selection, box_of, camera_of, starter};
+use crate::state::{Item, Selection, box_of, starter};
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::preset::Preset;
@@ -63,7 +63,7 @@ impl Editor {
     }
 
     pub(super) fn set_from_view(&mut self, id: CameraId) {
-        let Some(old) = camera_of(self.session.scene(), id) else { return };
+        let Some(old) = self.session.scene().cameras.with_id(id) else { return };
         let camera = Camera { id, name: old.name.clone(), ..self.viewport.camera().clone() };
         let done = self.session.edit("Set camera from view", vec![Edit::Camera(ListEdit::Replace(camera))]);
         self.report(done);

@@ -15,9 +15,6 @@ use cloudwright_core::random;
 use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId};
 use glam::DVec3;
 
-/// A copied aircraft follows its original by this, seconds: some lengths of an aircraft at its usual speed.
-const ASTERN_S: f64 = 0.5;
-
 impl Editor {
     /// One undo point; what it made is selected. Where nothing is made, the selection stays.
     pub(super) fn arrange(&mut self, command: Command, arrangement: Arrangement) {
@@ -53,19 +50,11 @@ impl Editor {
                 duplicate::boxes(scene, model, &ids, DVec3::X * width)
             }
             Some(Item::Cloud(_)) => self.duplicated_clouds(Copy::Linked),
-            Some(Item::Camera(_)) => {
-                let ids: Vec<_> = selection.cameras().collect();
-                duplicate::cameras(scene, &ids, DVec3::ZERO)
+            Some(primary) => {
+                let same = selection.items().iter().copied().filter(|item| item.word() == primary.word());
+                duplicate::things(scene, &same.collect::<Vec<_>>())
             }
-            Some(Item::Path(_)) => {
-                let ids: Vec<_> = selection.paths().collect();
-                duplicate::paths(scene, &ids, DVec3::ZERO)
-            }
-            Some(Item::Aircraft(_)) => {
-                let ids: Vec<_> = selection.aircraft().collect();
-                duplicate::aircraft(scene, &ids, ASTERN_S)
-            }
-            _ => return,
+            None => return,
         };
         self.arrange(Command::Duplicate, arrangement);
     }

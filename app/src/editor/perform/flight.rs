@@ -3,7 +3,7 @@
 use crate::command::Command;
 use crate::editor::recording::key_of;
 use crate::editor::{Ask, Editor};
-use crate::state::{Item, Selection, aircraft_of};
+use crate::state::{Item, Selection};
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::flight::leg_speed_mps;
@@ -103,7 +103,7 @@ impl Editor {
 
     /// Gives an aircraft the model of that file.
     pub(in crate::editor) fn use_model(&mut self, id: AircraftId, file: &Path) {
-        let Some(aircraft) = aircraft_of(self.session.scene(), id) else { return };
+        let Some(aircraft) = self.session.scene().aircraft.with_id(id) else { return };
         let folder = |path: &Path| std::path::absolute(path).ok()?.parent()?.canonicalize().ok();
         let is_beside = self.session.path().and_then(folder).is_some_and(|beside| folder(file) == Some(beside));
         let name = file.file_name().and_then(|name| name.to_str());

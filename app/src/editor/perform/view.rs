@@ -1,7 +1,7 @@
 //! What changes how the scene is looked at, and nothing in it.
 
 use crate::editor::Editor;
-use crate::state::{Choose, Item, Selection, ViewChange, ViewState, camera_of};
+use crate::state::{Choose, Item, Selection, ViewChange, ViewState};
 use cloudwright_core::scene::CameraId;
 use std::collections::BTreeSet;
 
@@ -23,7 +23,7 @@ impl Editor {
     }
 
     pub(super) fn look_through(&mut self, id: CameraId) {
-        if let Some(camera) = camera_of(self.session.scene(), id) {
+        if let Some(camera) = self.session.scene().cameras.with_id(id) {
             self.viewport.look_through(camera, &self.session);
         }
     }
@@ -96,8 +96,7 @@ fn as_camera(item: &Item) -> Option<CameraId> {
 }
 
 fn hideable(selection: &Selection) -> Vec<Item> {
-    let kinds = |item: &&Item| matches!(item, Item::Model(_) | Item::Box(..) | Item::Cloud(_));
-    selection.items().iter().filter(kinds).copied().collect()
+    selection.items().iter().copied().filter(|item| ViewState::can_hide(*item)).collect()
 }
 
 fn toggle(set: &mut BTreeSet<Item>, items: Vec<Item>) {

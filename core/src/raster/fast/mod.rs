@@ -7,6 +7,7 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
+mod brush;
 mod tile;
 
 use super::bins::{TILE, TileRect, assemble, map_tiles};
@@ -17,7 +18,8 @@ use crate::image::{Layer, LinearPicture, Picture};
 use crate::rules::STOP_BELOW;
 use crate::sky::BackgroundRows;
 use crate::tone::{Planes, encode_row};
-use tile::{Brush, Tile, TileRow};
+use brush::Brush;
+use tile::{Tile, TileRow};
 
 /// The frame as a display shows it, one sample at each pixel's centre.
 pub fn picture(frame: &Frame<'_>) -> Picture {

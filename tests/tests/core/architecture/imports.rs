@@ -1,8 +1,9 @@
 //! Which file of a crate imports which: read from the words of its sources, without a compiler.
 //!
 //! An import is a path to an item, in a `use` or in code. It leads to two files: that of the module which the path
-//! names, and through re-exports that which defines the item. A `mod` line and a re-export import nothing, and what a
-//! module takes from those that it lies in is left out: a room may be told apart into files.
+//! names, and through re-exports that which defines the item. A `mod` line and a re-export import nothing; what a module
+//! takes from those that it lies in is left out, since a room may be told apart into files; and so are tests, which
+//! stand at a file's end.
 
 use super::words::words;
 use std::collections::{BTreeMap, BTreeSet};
@@ -76,6 +77,18 @@ impl Imports {
         }
     }
 
+    /// The same from room to room: a room is a folder or file at the top. What the crate's root names is left out.
+    pub fn of_rooms(&self) -> Self {
+        let mut rooms = Self::default();
+        for (from, to, path) in self.iter() {
+            let [own, other] = [from, to].map(room);
+            if own != other && ![own, other].contains(&"lib") {
+                rooms.0.entry(own.into()).or_default().entry(other.into()).or_default().insert(path.into());
+            }
+        }
+        rooms
+    }
+
     /// From file to file, with one of the paths.
     pub fn iter(&self) -> impl Iterator<Item = (&str, &str, &str)> {
         self.0.iter().flat_map(|(from, all)| {
@@ -113,7 +126,7 @@ impl Imports {
 
 impl fmt::Display for Circle<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        writeln!(f, "{} files import each other:", self.files.len())?;
+        writeln!(f, "{} import each other:", self.files.len())?;
         for (from, to, path) in self.imports.iter() {
             if self.files.contains(from) && self.files.contains(to) {
                 writeln!(f, "    {from} -> {to}: {path}")?;
@@ -132,6 +145,11 @@ fn gather(folder: &Path, inside: &str, found: &mut Vec<(String, String)>) {
             found.push((name, fs::read_to_string(&path).expect("a source")));
         }
     }
+}
+
+/// The room that a file lies in.
+pub fn room(file: &str) -> &str {
+    file.split(['/', '.']).next().unwrap_or_default()
 }
 
 fn module_of(file: &str) -> Module<'_> {
@@ -165,6 +183,10 @@ impl<'s> Names<'s> {
                     let name = word(at + 1);
                     let inner: Module<'s> = module.iter().copied().chain([name]).collect();
                     self.known.insert((module, name), Meaning::Module(inner.clone()));
+                    let is_test = words[..at].ends_with(&["#", "[", "cfg", "(", "test", ")", "]"]);
+                    if word(at + 2) == "{" && is_test {
+                        return;
+                    }
                     if word(at + 2) == "{" {
                         depth += 1;
                         open.push((inner, depth));

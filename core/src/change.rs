@@ -1,22 +1,19 @@
 //! What a change touched, so that only that is computed and checked again.
 
-use crate::scene::{AircraftId, CameraId, CloudId, ModelId, PathId};
+use crate::scene::{CloudId, ModelId, Thing};
 use std::collections::BTreeSet;
 
 /// The things that one or more edits touched.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Change {
-    pub(super) everything: bool,
-    pub(super) ground: bool,
+    pub(crate) everything: bool,
+    pub(crate) ground: bool,
     /// Name, hour, place, sun, sky or atlas.
-    pub(super) head: bool,
+    pub(crate) head: bool,
     /// A list has more things or fewer, or the counter of ids was set.
-    pub(super) lists: bool,
-    pub(super) cameras: BTreeSet<CameraId>,
-    pub(super) models: BTreeSet<ModelId>,
-    pub(super) clouds: BTreeSet<CloudId>,
-    pub(super) paths: BTreeSet<PathId>,
-    pub(super) aircraft: BTreeSet<AircraftId>,
+    pub(crate) lists: bool,
+    /// What stands in lists of the scene.
+    pub(crate) things: BTreeSet<Thing>,
 }
 
 impl Change {
@@ -27,17 +24,17 @@ impl Change {
 
     /// Whether anything that sprites are made from changed.
     pub fn touches_sprites(&self) -> bool {
-        self.everything || self.ground || !self.models.is_empty() || !self.clouds.is_empty()
+        self.touches_ground() || self.touches_models() || self.touches_clouds()
     }
 
     /// Whether the cloud's placement changed.
     pub fn touches_cloud(&self, id: CloudId) -> bool {
-        self.everything || self.clouds.contains(&id)
+        self.touches(Thing::Cloud(id))
     }
 
     /// Whether the model changed.
     pub fn touches_model(&self, id: ModelId) -> bool {
-        self.everything || self.models.contains(&id)
+        self.touches(Thing::Model(id))
     }
 
     /// Whether the ground changed, on which sprites may stand.
@@ -55,42 +52,28 @@ impl Change {
         self.everything || self.lists
     }
 
-    /// Whether the camera changed.
-    pub fn touches_camera(&self, id: CameraId) -> bool {
-        self.everything || self.cameras.contains(&id)
-    }
-
-    /// Whether the path changed.
-    pub fn touches_path(&self, id: PathId) -> bool {
-        self.everything || self.paths.contains(&id)
-    }
-
-    /// Whether the aircraft changed.
-    pub fn touches_aircraft(&self, id: AircraftId) -> bool {
-        self.everything || self.aircraft.contains(&id)
+    /// Whether `thing` changed, which stands in a list of the scene.
+    pub fn touches(&self, thing: Thing) -> bool {
+        self.everything || self.things.contains(&thing)
     }
 
     /// Whether any cloud changed.
     pub fn touches_clouds(&self) -> bool {
-        self.everything || !self.clouds.is_empty()
+        self.everything || self.things.iter().any(|thing| matches!(thing, Thing::Cloud(_)))
     }
 
     /// Whether any model changed.
     pub fn touches_models(&self) -> bool {
-        self.everything || !self.models.is_empty()
+        self.everything || self.things.iter().any(|thing| matches!(thing, Thing::Model(_)))
     }
 
     /// Adds what `other` touched.
     pub fn join(&mut self, other: Self) {
-        let Self { everything, ground, head, lists, cameras, models, clouds, paths, aircraft } = other;
+        let Self { everything, ground, head, lists, things } = other;
         self.everything |= everything;
         self.ground |= ground;
         self.head |= head;
         self.lists |= lists;
-        self.cameras.extend(cameras);
-        self.models.extend(models);
-        self.clouds.extend(clouds);
-        self.paths.extend(paths);
-        self.aircraft.extend(aircraft);
+        self.things.extend(things);
     }
 }
