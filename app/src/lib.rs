@@ -20,6 +20,7 @@ mod theme;
 pub mod thumbnail;
 pub mod units;
 mod viewport;
+pub mod visible;
 mod widget;
 pub mod worker;
 

@@ -1,9 +1,13 @@
 //! A scene into its file: what the command line and the editor save, the twin of [`crate::opening`].
+//!
+//! A scene names its atlas and models by what lies beside its file. One that is saved into another folder takes them
+//! along: they are copied, for the old file still needs them too.
 
-use crate::storage::{self, Over, Stamp, StorageError};
+use crate::opening::{self, Named};
+use crate::storage::{self, FileId, Folder, Over, Stamp, StorageError};
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::Scene;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Why a scene can't be saved.
 #[derive(Debug, thiserror::Error)]
@@ -14,13 +18,90 @@ pub enum SaveError {
     /// The file can't be written.
     #[error(transparent)]
     Storage(#[from] StorageError),
+    /// A file of a name that the scene's own atlas or model has.
+    #[error("{}: is another file than the scene's {what}, which would be copied there", path.display())]
+    Another {
+        /// Which file.
+        path: PathBuf,
+        /// What the scene has under that name.
+        what: &'static str,
+    },
 }
 
-/// Puts `scene` at `path`, whole or not at all, over what `over` allows. Gives the file's stamp.
+/// What was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Saved {
+    /// The scene's file.
+    pub stamp: Stamp,
+    /// Names of the files that it needs and that were copied beside it.
+    pub copied: Vec<String>,
+}
+
+/// A file that a scene needs beside it, and that is not there yet.
+#[derive(Debug)]
+pub(crate) struct Copy {
+    what: &'static str,
+    name: String,
+    from: PathBuf,
+    to: PathBuf,
+    max_bytes: usize,
+}
+
+/// Puts `scene` at `path`, whole or not at all, over what `over` allows, and with it copies of what it names from beside
+/// `from`, its file until now.
 ///
 /// # Errors
-/// If it can't be written; what was there before is then untouched.
-pub fn save(scene: &Scene, path: &Path, over: Over) -> Result<Stamp, SaveError> {
+/// If it can't be written, or another file has the name of one to copy; what was there before is then untouched.
+pub fn save(scene: &Scene, from: Option<&Path>, path: &Path, over: Over) -> Result<Saved, SaveError> {
     let text = scene_file::write(scene)?;
-    Ok(storage::write_over(path, text.as_bytes(), over)?)
+    let copies = to_copy(scene, from, path)?;
+    let mut done = Vec::new();
+    // The scene comes last: whoever sees it finds what it needs.
+    let copied = copies.iter().try_for_each(|copy| {
+        done.push((copy, copy.make()?));
+        Ok(())
+    });
+    match copied.and_then(|()| Ok(storage::write_over(path, text.as_bytes(), over)?)) {
+        Ok(stamp) => Ok(Saved { stamp, copied: copies.into_iter().map(|copy| copy.name).collect() }),
+        Err(error) => {
+            done.iter().for_each(|(copy, _)| storage::remove_if_there(&copy.to));
+            Err(error)
+        }
+    }
+}
+
+/// What `scene` names beside the file `from` and would miss beside `path`.
+///
+/// # Errors
+/// If a file that differs has one of the names.
+pub(crate) fn to_copy(scene: &Scene, from: Option<&Path>, path: &Path) -> Result<Vec<Copy>, SaveError> {
+    let mut copies = Vec::new();
+    let Some(from) = from else { return Ok(copies) };
+    for Named { what, name, max_bytes } in opening::named(scene) {
+        let [source, to] = [from, path].map(|scene| scene.with_file_name(&name));
+        if FileId::of(&source) == FileId::of(&to) {
+            continue;
+        }
+        // What can't be read was missed before: a scene needn't be complete to be saved.
+        let Ok(bytes) = storage::read(&source, max_bytes) else { continue };
+        if FileId::of(&to).is_none() {
+            copies.push(Copy { what, name, from: source, to, max_bytes });
+        } else if !storage::read(&to, max_bytes).is_ok_and(|there| there == bytes) {
+            return Err(SaveError::Another { path: to, what });
+        }
+    }
+    Ok(copies)
+}
+
+impl Copy {
+    /// Gives the folder that it lies in.
+    fn make(&self) -> Result<Folder, SaveError> {
+        let folder = Folder::make(self.to.parent().unwrap_or(Path::new("")))?;
+        let bytes = storage::read(&self.from, self.max_bytes)?;
+        storage::write_over(&self.to, &bytes, Over::Nothing).map_err(|error| match error {
+            StorageError::InTheWay { path, .. } => SaveError::Another { path, what: self.what },
+            error => error.into(),
+        })?;
+        Ok(folder)
+    }
 }

@@ -38,7 +38,7 @@ fn child() {
     let Some(path) = std::env::var_os(CHILD_PATH) else { return };
     let first: u64 = std::env::var(CHILD_START).expect("set").parse().expect("a number");
     for n in first.. {
-        saving::save(&version(n), Path::new(&path), Over::Anything).expect("writable");
+        saving::save(&version(n), None, Path::new(&path), Over::Anything).expect("writable");
         let mut out = std::io::stdout();
         writeln!(out, "saved {n}").and_then(|()| out.flush()).expect("the parent listens");
     }
@@ -52,7 +52,7 @@ fn strays(folder: &Path) -> usize {
 fn a_killed_save_leaves_a_whole_scene() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("sky.cloudscene");
-    saving::save(&version(0), &path, Over::Nothing).expect("writable");
+    saving::save(&version(0), None, &path, Over::Nothing).expect("writable");
     let (mut next, mut left_beside) = (1, 0);
     for round in 0..KILLS {
         let mut child = Command::new(std::env::current_exe().expect("this test"))
@@ -78,6 +78,6 @@ fn a_killed_save_leaves_a_whole_scene() {
         next = n + 1;
     }
     assert!(left_beside > 0, "no child was killed in the middle of a save");
-    saving::save(&version(next), &path, Over::Anything).expect("writable");
+    saving::save(&version(next), None, &path, Over::Anything).expect("writable");
     assert_eq!(strays(folder.path()), 0);
 }

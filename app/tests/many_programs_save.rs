@@ -22,7 +22,7 @@ const CHILD_PATH: &str = "CLOUDWRIGHT_TEST_SAVES_HERE";
 fn child() {
     let Some(path) = std::env::var_os(CHILD_PATH) else { return };
     let scene = Scene { name: "shared".into(), ..Scene::default() };
-    let failures = (0..SAVES).filter_map(|_| saving::save(&scene, Path::new(&path), Over::Anything).err());
+    let failures = (0..SAVES).filter_map(|_| saving::save(&scene, None, Path::new(&path), Over::Anything).err());
     let failures: Vec<String> = failures.map(|error| error.to_string()).collect();
     assert!(failures.is_empty(), "{} of {SAVES} failed: {}", failures.len(), failures[0]);
 }

@@ -36,10 +36,14 @@ pub(super) fn samples_side(text: &str) -> Result<u32, String> {
 pub(super) fn method(text: &str) -> Result<&'static Method, String> {
     let name = text.trim();
     method::named(name).ok_or_else(|| {
-        let names = METHODS.iter().map(|method| method.name);
-        let nearest = closest(name, names.clone()).map(|name| format!("did you mean `{name}`? ")).unwrap_or_default();
-        format!("there is no such method; {nearest}the methods are {}", names.collect::<Vec<_>>().join(", "))
+        let names: Vec<&str> = METHODS.iter().map(|method| method.name).collect();
+        format!("there is no such method; {}the methods are {}", did_you_mean(name, &names), names.join(", "))
     })
+}
+
+/// A question to stand before a list of all `names`; nothing if none of them is like `unknown`.
+pub(super) fn did_you_mean(unknown: &str, names: &[&str]) -> String {
+    closest(unknown, names.iter().copied()).map(|name| format!("did you mean `{name}`? ")).unwrap_or_default()
 }
 
 #[cfg(test)]

@@ -13,8 +13,9 @@ use crate::chart::report::Report;
 use crate::chart::run::Run;
 use crate::chart::subject::Subject;
 use crate::chart::{choice, front, html, report, text};
+use crate::storage::{self, Folder};
 use crate::units::time_of_day;
-use crate::{opening, storage};
+use crate::{opening, visible};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::method::{self, METHODS, Method};
@@ -96,7 +97,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if charted.is_empty() {
         let reasons: Vec<String> = left_out.iter().map(|one| format!("{}: {}", one.name, one.reason)).collect();
         let what = format!("--methods: none is left: {}", reasons.join("; "));
-        return Err(Failure::argument(opening::one_line(&what), "leave --methods out for all that make sense"));
+        return Err(Failure::argument(what, "leave --methods out for all that make sense"));
     }
     let adapters: Vec<String> = charted.iter().filter_map(Charted::adapter).collect();
     let head = Report {
@@ -108,12 +109,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         input: known::input(&arguments.scene, &subject)?,
         ..Report::default()
     };
-    storage::make_folder(&arguments.output)?;
+    let _folder = Folder::make(&arguments.output)?;
     let [json, page] = ["chart.json", "chart.html"].map(|name| arguments.output.join(name));
-    [&json, &page].into_iter().try_for_each(|file| storage::check_writable(file))?;
+    [&json, &page].into_iter().try_for_each(|file| input::check_output(&scene, &arguments.scene, file))?;
     let known = known::read(&json, head)?;
     for left_out in &known.left_out {
-        say(&opening::one_line(&format!("left out: {}: {}", left_out.name, left_out.reason)));
+        say(&format!("left out: {}: {}", left_out.name, left_out.reason));
     }
 
     let progress = Progress::start("charting");
@@ -147,7 +148,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     write_page(&report)?;
     drop(progress);
     if arguments.json {
-        return answer(&json_text(&report)?);
+        return answer(&visible::json(&json_text(&report)?));
     }
     answer(&in_words(&report, arguments.tolerance))?;
     say(&format!("chart: {}", page.display()));

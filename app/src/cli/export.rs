@@ -52,7 +52,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     } else {
         None
     };
-    input::check_output(&arguments.scene, &arguments.output)?;
+    input::check_output(&scene, &arguments.scene, &arguments.output)?;
     let _progress = Progress::start("exporting");
     let derived = Derived::new(&scene);
     let shaded = shaded.as_ref().map(|(view, light)| Shaded { view, light, clock_s: arguments.at });

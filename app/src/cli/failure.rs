@@ -1,6 +1,6 @@
 //! What ends a subcommand early, and with which exit code.
 
-use crate::opening::OpenError;
+use crate::opening::{self, OpenError};
 use crate::renderer::RenderError;
 use crate::storage::StorageError;
 
@@ -38,6 +38,15 @@ impl Failure {
 
     pub(super) fn could_not(what: impl Into<String>, hint: impl Into<String>) -> Self {
         Self::CouldNot { what: what.into(), hint: hint.into() }
+    }
+
+    /// What to tell, a line each; nothing if all has been said already.
+    pub(super) fn lines(&self) -> Vec<String> {
+        match self {
+            Self::Open(OpenError::Problems { path, problems }) => opening::problem_lines(path, problems),
+            Self::Told(_) => Vec::new(),
+            _ => vec![self.to_string()],
+        }
     }
 
     pub(super) fn exit_code(&self) -> u8 {

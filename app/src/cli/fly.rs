@@ -21,7 +21,7 @@ use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::Moment;
 use frames::Frames;
 use std::ops::Range;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 #[derive(Debug, clap::Args)]
@@ -31,7 +31,7 @@ use std::sync::Arc;
   cloudwright fly fair_weather.cloudscene --path through -o pictures --frames 90..120 --fps 60
   cloudwright fly fair_weather.cloudscene --path through -o smooth.mp4 --samples 4 --sorting crossfade
 
-Frame I shows the flight I / FPS seconds after its start, as PATH_0000I.png. It is the same alone or in a sequence.
+Frame I shows the flight I / FPS seconds after its start, as PATH_0000I.png; in PATH, letters and numbers are the name's. It is the same alone or in a sequence.
 Frames that are there already, whole and of the same size, are kept: a run that was broken off goes on. Empty the folder
 when scene or options have changed. A video needs ffmpeg; its frames stay in a folder beside it, OUT_frames.")]
 pub(super) struct Arguments {
@@ -88,11 +88,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut playback = Playback::new(path, rules);
     let numbers = frames::chosen(arguments.frames.clone(), playback.duration_s(), arguments.fps)?;
     let folder = if is_video { video::frames_folder(&arguments.output) } else { arguments.output.clone() };
-    let frames = Frames { folder, path_name: frames::file_name_of(&path.name), size: arguments.size };
+    let path_name = frames::file_name_of(path, &scene);
+    let frames = Frames { folder, path_name, size: arguments.size, numbers: numbers.clone() };
+    let spare = |output: &Path| input::spare_inputs(&scene, &arguments.scene, output);
+    frames.there().iter().try_for_each(|frame| spare(frame))?;
     if is_video {
-        input::check_output(&arguments.scene, &arguments.output)?;
+        spare(&frames.folder.join(video::UNFINISHED))?;
+        input::check_output(&scene, &arguments.scene, &arguments.output)?;
     }
-    frames.make_folder(numbers.start)?;
+    let _folder = frames.make_folder()?;
 
     let derived = Derived::new(&scene);
     let mut painter = Painter::new(&arguments.painter, rules)?;
@@ -122,5 +126,5 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     }
     drop(progress);
     say(&format!("frames: {} drawn, {kept} kept, in {}", numbers.len() - kept, frames.folder.display()));
-    if is_video { video::write(&arguments.output, &frames, &numbers, arguments.fps) } else { Ok(()) }
+    if is_video { video::write(&arguments.output, &frames, arguments.fps) } else { Ok(()) }
 }

@@ -2,7 +2,8 @@
 
 use super::answer;
 use super::failure::Failure;
-use crate::opening::{self, one_line};
+use crate::opening;
+use crate::visible::{self, one_line};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::scene::Scene;
 use cloudwright_core::sprites::PlacedCloud;
@@ -146,5 +147,7 @@ fn in_words(bounds: Option<Bounds>) -> String {
 
 /// Any answer as JSON text.
 pub(super) fn json_text(value: &impl Serialize) -> Result<String, Failure> {
-    serde_json::to_string_pretty(value).map(|text| text + "\n").map_err(|error| Failure::Stdout(error.into()))
+    serde_json::to_string_pretty(value)
+        .map(|text| visible::json(&text) + "\n")
+        .map_err(|error| Failure::Stdout(error.into()))
 }

@@ -1,8 +1,11 @@
 //! What several subcommands take from a scene.
 
+use super::arguments::did_you_mean;
 use super::failure::Failure;
+use super::say;
+use crate::opening;
 use crate::saving::{self, SaveError};
-use crate::storage::{self, Over, StorageError};
+use crate::storage::{self, FileId, Over, StorageError};
 use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::scene::{Camera, CameraPath, Scene};
 use std::path::Path;
@@ -22,7 +25,8 @@ pub(super) fn camera<'a>(scene: &'a Scene, path: &Path, name: Option<&str>) -> R
         let hint = if names.is_empty() {
             "add a camera in the editor".into()
         } else {
-            crate::opening::one_line(&format!("the cameras are {}", names.join(", ")))
+            let nearest = name.map(|name| did_you_mean(name, &names)).unwrap_or_default();
+            format!("{nearest}the cameras are {}", names.join(", "))
         };
         Failure::argument(what, hint)
     })
@@ -35,7 +39,7 @@ pub(super) fn path<'a>(scene: &'a Scene, file: &Path, name: &str) -> Result<&'a 
         let hint = if names.is_empty() {
             "the scene has no paths; record one in the editor".into()
         } else {
-            crate::opening::one_line(&format!("the paths are {}", names.join(", ")))
+            format!("{}the paths are {}", did_you_mean(name, &names), names.join(", "))
         };
         return Err(Failure::argument(format!("{}: paths: there is no path “{name}”", file.display()), hint));
     };
@@ -46,13 +50,28 @@ pub(super) fn path<'a>(scene: &'a Scene, file: &Path, name: &str) -> Result<&'a 
     Ok(path)
 }
 
-/// Known before the work, not after it: whether `output` can be written, and is not the scene itself.
-pub(super) fn check_output(scene: &Path, output: &Path) -> Result<(), Failure> {
-    if storage::is_same_file(scene, output) {
-        let what = format!("--output {}: that is the scene itself", output.display());
-        return Err(Failure::argument(what, "choose another name; the scene would be lost"));
-    }
+/// Known before the work, not after it: whether `output` can be written, and is none of the files that are read, which
+/// are the scene's `file` and what it names.
+pub(super) fn check_output(scene: &Scene, file: &Path, output: &Path) -> Result<(), Failure> {
+    spare_inputs(scene, file, output)?;
     Ok(storage::check_writable(output)?)
+}
+
+/// That `output` is none of the files that are read, by whatever name.
+pub(super) fn spare_inputs(scene: &Scene, file: &Path, output: &Path) -> Result<(), Failure> {
+    let Some(there) = FileId::of(output) else { return Ok(()) };
+    let is_there = |input: &Path| FileId::of(input).as_ref() == Some(&there);
+    let refuse = |what: &str| {
+        let what = format!("--output {}: that is the scene{what}", output.display());
+        Err(Failure::argument(what, "choose another name; it would be lost"))
+    };
+    if is_there(file) {
+        return refuse(" itself");
+    }
+    match opening::named(scene).iter().find(|named| is_there(&file.with_file_name(&named.name))) {
+        Some(named) => refuse(&format!("'s {}, {}", named.what, named.name)),
+        None => Ok(()),
+    }
 }
 
 /// That a scene would be written under a scene's name.
@@ -64,14 +83,25 @@ pub(super) fn check_scene_name(output: &Path) -> Result<(), Failure> {
     Err(Failure::argument(what, format!("end its name in .{EXTENSION}")))
 }
 
-/// Saves a scene; over a file that is there only by `force`.
-pub(super) fn save_scene(scene: &Scene, output: &Path, force: bool) -> Result<(), Failure> {
+/// Saves a scene that was read from the file `from`, if from any; over a file that is there only by `force`. What it
+/// names is copied along.
+pub(super) fn save_scene(scene: &Scene, from: Option<&Path>, output: &Path, force: bool) -> Result<(), Failure> {
     let over = if force { Over::Anything } else { Over::Nothing };
-    saving::save(scene, output, over).map(drop).map_err(|error| match error {
+    let saved = saving::save(scene, from, output, over).map_err(save_failure)?;
+    if !saved.copied.is_empty() {
+        say(&format!("copied beside it: {}", saved.copied.join(", ")));
+    }
+    Ok(())
+}
+
+/// Why a scene can't be saved.
+pub(super) fn save_failure(error: SaveError) -> Failure {
+    match error {
         SaveError::Storage(error @ StorageError::InTheWay { .. }) => {
             Failure::argument(error.to_string(), "choose another name, or --force")
         }
         SaveError::Storage(error) => error.into(),
         error @ SaveError::Text(_) => Failure::could_not(error.to_string(), "report this"),
-    })
+        error @ SaveError::Another { .. } => Failure::argument(error.to_string(), "choose another folder"),
+    }
 }

@@ -12,6 +12,7 @@ mod failure;
 mod fly;
 mod info;
 mod input;
+mod misspelt;
 mod new;
 mod painter;
 mod progress;
@@ -19,6 +20,7 @@ mod render;
 mod table;
 mod thin;
 
+use crate::visible;
 use clap::Parser;
 use failure::Failure;
 use std::ffi::OsString;
@@ -29,15 +31,23 @@ use table::{Arguments, Subcommand};
 /// Does what `args` say (the first is the program's name), and tells how it went.
 pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
     crate::signals::fail_at_the_size_limit();
-    let arguments = match Arguments::try_parse_from(args) {
-        Ok(arguments) => arguments,
-        Err(error) => {
-            // Help and version are answers, and go to stdout with code 0; all else is bad input with code 2.
-            let _ = error.print();
-            return ExitCode::from(if error.use_stderr() { failure::UNUSABLE_INPUT } else { 0 });
-        }
+    let args: Vec<OsString> = args.into_iter().collect();
+    let done = match (misspelt::check(&args), Arguments::try_parse_from(&args)) {
+        (Err(failure), _) => Err(failure),
+        (Ok(()), Ok(arguments)) => perform(&arguments),
+        (Ok(()), Err(error)) => return refuse(error, &args),
     };
-    let done = match &arguments.command {
+    match done {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            failure.lines().iter().for_each(|line| say(line));
+            ExitCode::from(failure.exit_code())
+        }
+    }
+}
+
+fn perform(arguments: &Arguments) -> Result<(), Failure> {
+    match &arguments.command {
         None => edit::run(arguments.scene.as_deref(), arguments.renderer),
         Some(Subcommand::New(arguments)) => new::run(arguments),
         Some(Subcommand::Render(arguments)) => render::run(arguments),
@@ -47,22 +57,21 @@ pub fn run(args: impl IntoIterator<Item = OsString>) -> ExitCode {
         Some(Subcommand::Info(arguments)) => info::run(arguments),
         Some(Subcommand::Export(arguments)) => export::run(arguments),
         Some(Subcommand::Thin(arguments)) => thin::run(arguments),
-    };
-    match done {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(failure) => {
-            let text = failure.to_string();
-            if !text.is_empty() {
-                say(&text);
-            }
-            ExitCode::from(failure.exit_code())
-        }
     }
 }
 
-/// Tells a person something, beside the answer.
+/// Help and version are answers, and go to stdout with code 0; all else is bad input with code 2.
+fn refuse(error: clap::Error, args: &[OsString]) -> ExitCode {
+    // clap quotes what it was given as it is; so it is asked once more, about the same where all can be seen.
+    let visible = args.iter().map(|arg| visible::one_line(&arg.to_string_lossy()));
+    let error = Arguments::try_parse_from(visible).err().unwrap_or(error);
+    let _ = error.print();
+    ExitCode::from(if error.use_stderr() { failure::UNUSABLE_INPUT } else { 0 })
+}
+
+/// Tells a person something in a line, beside the answer.
 fn say(text: &str) {
-    let _ = writeln!(io::stderr(), "{text}");
+    let _ = writeln!(io::stderr(), "{}", visible::one_line(text));
 }
 
 /// Writes the answer to stdout.

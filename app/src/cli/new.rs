@@ -1,5 +1,6 @@
 //! `cloudwright new`: a scene to start from, without the window.
 
+use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::input;
 use crate::state::starter_scene;
@@ -27,7 +28,7 @@ const STARTER: (&str, &str) = ("starter", "One small cumulus before the camera, 
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     input::check_scene_name(&arguments.output)?;
-    input::save_scene(&scene_of(arguments.preset.as_deref())?, &arguments.output, arguments.force)
+    input::save_scene(&scene_of(arguments.preset.as_deref())?, None, &arguments.output, arguments.force)
 }
 
 /// The scene that a preset's name stands for.
@@ -38,7 +39,7 @@ fn scene_of(preset: Option<&str>) -> Result<Scene, Failure> {
         Some(name) => Preset::by_name(name).map(Preset::scene).ok_or_else(|| {
             let what = format!("--preset {name}: there is no such preset");
             let names: Vec<&str> = presets().map(|(name, _)| name).collect();
-            Failure::argument(what, format!("the presets are {}", names.join(", ")))
+            Failure::argument(what, format!("{}the presets are {}", did_you_mean(name, &names), names.join(", ")))
         }),
     }
 }

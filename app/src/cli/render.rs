@@ -49,7 +49,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let rules = arguments.painter.rules()?;
     let (scene, beside) = opening::open(&arguments.scene)?;
     let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
-    input::check_output(&arguments.scene, &arguments.output)?;
+    input::check_output(&scene, &arguments.scene, &arguments.output)?;
     check_memory(arguments.size, rules.pixels_a_pixel())?;
     let derived = Derived::new(&scene);
     let mut painter = Painter::new(&arguments.painter, rules)?;

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::progress::Progress;
 use super::{input, say};
-use crate::opening;
+use crate::{opening, saving};
 use cloudwright_core::document::Document;
 use cloudwright_core::thin::{ThinError, thin};
 use std::path::PathBuf;
@@ -15,7 +15,7 @@ use std::path::PathBuf;
 Sprites are dropped that show least, as long as no view differs from the scene as it was by more than the tolerance:
 neither from its cameras, nor along its paths, nor in eight views around each cloud, by the light of its time of day.
 The difference is the mean FLIP, 0 to 1: 0.01 is hard to see, 0.05 is plain. In the editor it is a command that can be
-undone; by hand, Reset gives a sprite back.")]
+undone; by hand, Reset gives a sprite back. Into another folder, the scene takes its own atlas and models along.")]
 pub(super) struct Arguments {
     /// Scene to thin
     scene: PathBuf,
@@ -33,7 +33,8 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (scene, beside) = opening::open(&arguments.scene)?;
     input::check_scene_name(&arguments.output)?;
-    input::check_output(&arguments.scene, &arguments.output)?;
+    input::check_output(&scene, &arguments.scene, &arguments.output)?;
+    saving::to_copy(&scene, Some(&arguments.scene), &arguments.output).map_err(input::save_failure)?;
     let progress = Progress::start("thinning");
     let thinned = thin(&scene, beside.sheet(), arguments.tolerance, progress.watch());
     drop(progress);
@@ -41,7 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut document = Document::new(scene);
     let done = document.edit("Thin", thinned.edits);
     done.map_err(|error| Failure::could_not(error.to_string(), "report this"))?;
-    input::save_scene(document.scene(), &arguments.output, arguments.force)?;
+    input::save_scene(document.scene(), Some(&arguments.scene), &arguments.output, arguments.force)?;
     say(&format!(
         "sprites: {} of {} are left, {:.0} %",
         thinned.after,

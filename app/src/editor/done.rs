@@ -1,7 +1,7 @@
 //! What becomes of work on files, which is done off the frame.
 
-use crate::saving::SaveError;
-use crate::storage::{Stamp, StorageError};
+use crate::saving::{SaveError, Saved};
+use crate::storage::StorageError;
 use cloudwright_core::document::SavedMark;
 use std::path::PathBuf;
 
@@ -10,7 +10,7 @@ pub(super) enum Done {
     Saved {
         path: PathBuf,
         mark: SavedMark,
-        outcome: Result<Stamp, SaveError>,
+        outcome: Result<Saved, SaveError>,
     },
     Rescued(Result<(), StorageError>),
     Remembered(Result<(), StorageError>),

@@ -175,12 +175,12 @@ impl Editor {
         asks || self.dialogs.is_open()
     }
 
-    pub(crate) fn tell(&mut self, text: impl Into<String>) {
-        self.toasts.say(text.into(), false);
+    pub(crate) fn tell(&mut self, text: impl AsRef<str>) {
+        self.toasts.say(text.as_ref(), false);
     }
 
-    pub(crate) fn tell_error(&mut self, text: impl Into<String>) {
-        self.toasts.say(text.into(), true);
+    pub(crate) fn tell_error(&mut self, text: impl AsRef<str>) {
+        self.toasts.say(text.as_ref(), true);
     }
 
     /// Esc takes an open gesture back; what the pointer still does until it is let go is ignored.

@@ -9,8 +9,8 @@ use super::dialogs::Dialog;
 use super::done::Done;
 use super::files::{self, Ask};
 use super::intent::Intent;
-use crate::saving::{self, SaveError};
-use crate::storage::{Over, Stamp, StorageError};
+use crate::saving::{self, SaveError, Saved};
+use crate::storage::{Over, StorageError};
 use cloudwright_core::document::SavedMark;
 use cloudwright_core::formats::scene_file;
 use std::path::{Path, PathBuf};
@@ -57,10 +57,11 @@ impl Editor {
             return self.tell_error(error.to_string());
         }
         let (scene, path) = (self.session.scene().clone(), path.to_path_buf());
+        let from = self.session.path().map(PathBuf::from);
         let mark = self.session.document().mark();
         self.desk.saving = true;
         self.desk.clerk.ask(move || {
-            let outcome = saving::save(&scene, &path, over);
+            let outcome = saving::save(&scene, from.as_deref(), &path, over);
             Done::Saved { path, mark, outcome }
         });
         context.request_repaint();
@@ -70,15 +71,20 @@ impl Editor {
         &mut self,
         path: PathBuf,
         mark: SavedMark,
-        outcome: Result<Stamp, SaveError>,
+        outcome: Result<Saved, SaveError>,
         context: &egui::Context,
     ) {
         self.desk.saving = false;
         match outcome {
-            Ok(stamp) => {
+            Ok(Saved { stamp, copied }) => {
                 self.dialogs.list(&path, self.session.saved_as(path.clone(), mark));
                 self.desk.known = Some(stamp);
-                self.tell(format!("Saved {}", path.display()));
+                let copied = if copied.is_empty() {
+                    String::new()
+                } else {
+                    format!("; copied beside it: {}", copied.join(", "))
+                };
+                self.tell(format!("Saved {}{copied}", path.display()));
                 self.desk.remember(move |settings| settings.remember_scene(&path));
                 if let Some(intent) = self.after_save.take() {
                     self.want(intent, context);

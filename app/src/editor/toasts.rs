@@ -4,6 +4,7 @@
 //! stays until it is closed, or until something succeeds.
 
 use crate::theme::{self, icon};
+use crate::visible;
 use egui::{Align2, Area, Context, Frame, Id, Order, RichText, vec2};
 
 /// How long a message about something done stays, seconds.
@@ -29,7 +30,8 @@ struct Toast {
 
 impl Toasts {
     /// Says something; the same words twice stand once.
-    pub(super) fn say(&mut self, text: String, is_error: bool) {
+    pub(super) fn say(&mut self, text: &str, is_error: bool) {
+        let text = visible::lines(text);
         self.shown.retain(|toast| toast.text != text);
         self.next += 1;
         self.shown.push(Toast { number: self.next, text, is_error, ends_s: None });
@@ -93,7 +95,7 @@ mod tests {
     fn the_same_words_stand_once_and_old_ones_go() {
         let mut toasts = Toasts::default();
         for text in ["a", "b", "a", "c", "d", "e"] {
-            toasts.say(text.into(), text == "e");
+            toasts.say(text, text == "e");
         }
         let texts: Vec<&str> = toasts.shown.iter().map(|toast| toast.text.as_str()).collect();
         assert_eq!(texts, ["a", "c", "d", "e"]);

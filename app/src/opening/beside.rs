@@ -77,6 +77,21 @@ impl Beside {
     }
 }
 
+/// A file that a scene names: what it is, its name, and how large it may be, bytes.
+pub(crate) struct Named {
+    pub(crate) what: &'static str,
+    pub(crate) name: String,
+    pub(crate) max_bytes: usize,
+}
+
+/// All files that `scene` names and that may lie beside it.
+pub(crate) fn named(scene: &Scene) -> Vec<Named> {
+    let Names { atlas, models } = Names::of(scene);
+    let atlas = atlas.map(|name| Named { what: "atlas", name, max_bytes: MAX_ATLAS_BYTES });
+    let model = |name| Named { what: "aircraft's model", name, max_bytes: model_glb::MAX_BYTES };
+    atlas.into_iter().chain(models.into_iter().map(model)).filter(|named| is_beside(&named.name)).collect()
+}
+
 impl Names {
     fn of(scene: &Scene) -> Self {
         let models = scene.aircraft.iter().filter_map(|aircraft| aircraft.model.clone());
@@ -93,9 +108,7 @@ fn atlas(name: &str, scene_path: Option<&Path>) -> Result<Atlas, Trouble> {
 }
 
 fn file(name: &str, scene_path: Option<&Path>, max_bytes: usize) -> Result<Vec<u8>, Trouble> {
-    // A scene from elsewhere has no business with files in other folders.
-    let is_beside = Path::new(name).components().all(|part| matches!(part, Component::Normal(_)));
-    if !is_beside || name.is_empty() {
+    if !is_beside(name) {
         return Err(("it doesn't lie beside the scene file".into(), "copy it there, and give its name alone"));
     }
     let Some(scene_path) = scene_path else {
@@ -107,4 +120,9 @@ fn file(name: &str, scene_path: Option<&Path>, max_bytes: usize) -> Result<Vec<u
             "put it beside the scene file, or take its name out of the scene",
         )
     })
+}
+
+/// A scene from elsewhere has no business with files in other folders.
+fn is_beside(name: &str) -> bool {
+    !name.is_empty() && Path::new(name).components().all(|part| matches!(part, Component::Normal(_)))
 }

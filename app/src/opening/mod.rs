@@ -5,8 +5,10 @@
 mod beside;
 
 pub use beside::Beside;
+pub(crate) use beside::{Named, named};
 
 use crate::storage::{self, StorageError};
+use crate::visible;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::Problem;
 use cloudwright_core::scene::Scene;
@@ -57,7 +59,7 @@ pub fn problem_lines(path: &Path, problems: &[Problem]) -> Vec<String> {
 /// `file: place: error: message (hint)`, or `note`.
 pub fn problem_line(path: &Path, problem: &Problem) -> String {
     let Problem { place, message, hint, .. } = problem;
-    one_line(&format!("{}: {place}: {}: {message} ({hint})", path.display(), severity_name(problem)))
+    visible::one_line(&format!("{}: {place}: {}: {message} ({hint})", path.display(), severity_name(problem)))
 }
 
 /// "error" or "note".
@@ -66,9 +68,4 @@ pub fn severity_name(problem: &Problem) -> &'static str {
         cloudwright_core::problem::Severity::Error => "error",
         cloudwright_core::problem::Severity::Note => "note",
     }
-}
-
-/// Text out of a file made safe for a terminal: control characters become spaces.
-pub fn one_line(text: &str) -> String {
-    text.chars().map(|c| if c.is_control() { ' ' } else { c }).collect()
 }

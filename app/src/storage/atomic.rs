@@ -102,6 +102,12 @@ fn write(path: &Path, target: &Path, bytes: &[u8], over: Over) -> Result<Stamp, 
 }
 
 fn temporary_beside(path: &Path, target: &Path) -> Result<NamedTempFile, StorageError> {
+    // The temporary file's own name says nothing about this one's.
+    if let Err(error) = fs::symlink_metadata(target)
+        && error.kind() == io::ErrorKind::InvalidFilename
+    {
+        return Err(StorageError::write(path, &error));
+    }
     if let Ok(before) = fs::metadata(target) {
         let refusal = if before.is_dir() {
             Some(("it is a folder", "give a file name in it"))

@@ -58,6 +58,7 @@ fn write_hint(error: &io::Error) -> &'static str {
         io::ErrorKind::NotFound => "make the folder first, or choose another",
         io::ErrorKind::NotADirectory => "a part of the path is a file; choose a folder",
         io::ErrorKind::PermissionDenied | io::ErrorKind::ReadOnlyFilesystem => "choose a folder that you may write to",
+        io::ErrorKind::InvalidFilename => "choose a shorter name, of ordinary letters",
         io::ErrorKind::StorageFull | io::ErrorKind::QuotaExceeded => "make space, or choose another disk",
         io::ErrorKind::FileTooLarge => "raise the limit of a file's size, or choose another disk",
         _ => "choose another place",
@@ -66,7 +67,7 @@ fn write_hint(error: &io::Error) -> &'static str {
 
 fn read_hint(error: &io::Error) -> &'static str {
     match error.kind() {
-        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory => "check the name",
+        io::ErrorKind::NotFound | io::ErrorKind::NotADirectory | io::ErrorKind::InvalidFilename => "check the name",
         io::ErrorKind::IsADirectory => "give a file in it",
         io::ErrorKind::PermissionDenied => "you may not read it; change its permissions",
         _ => "try a copy of it",
@@ -80,6 +81,7 @@ fn reason(error: &io::Error) -> String {
         io::ErrorKind::IsADirectory => "it is a folder".into(),
         io::ErrorKind::NotADirectory => "a part of its path is not a folder".into(),
         io::ErrorKind::PermissionDenied => "permission denied".into(),
+        io::ErrorKind::InvalidFilename => "its name is too long, or not allowed here".into(),
         // tempfile adds the path it tried; only the cause matters here.
         _ => error.to_string(),
     };

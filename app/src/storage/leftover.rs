@@ -10,7 +10,8 @@
 //!
 //! On a disk without locks nothing is taken for a leftover, and nothing is removed.
 
-use std::fs::{self, File};
+use super::ordinary;
+use std::fs::{self, File, OpenOptions};
 use std::path::Path;
 
 /// Begins the name of a temporary file.
@@ -29,7 +30,8 @@ pub(super) fn hold(file: &File, path: &Path) -> bool {
 /// The file at `path`, locked, if nobody uses it.
 pub(super) fn claim(path: &Path) -> Option<File> {
     // Some network disks lock only what may be written.
-    let file = File::options().write(true).open(path).or_else(|_| File::open(path)).ok()?;
+    let open = |options: &mut OpenOptions| ordinary::open(path, options);
+    let (file, _) = open(File::options().write(true)).or_else(|_| open(File::options().read(true))).ok()?;
     file.try_lock().ok()?;
     Some(file)
 }
@@ -74,6 +76,16 @@ mod tests {
         drop(in_use);
         sweep(folder.path());
         assert_eq!(left(), [".cloudwright-a1B2c3d.tmp", ".cloudwright-notes", "a.tmp"]);
+    }
+
+    /// Opening it would wait for somebody at its other end.
+    #[cfg(unix)]
+    #[test]
+    fn a_pipe_is_no_leftover() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let path = folder.path().join("1-1.lock");
+        let made = std::process::Command::new("mkfifo").arg(&path).status().expect("mkfifo runs");
+        assert!(made.success() && claim(&path).is_none());
     }
 
     #[test]

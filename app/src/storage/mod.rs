@@ -1,14 +1,17 @@
 //! The only file access.
 //!
-//! Reading has a limit, so that a wrong path can't fill the memory. Writing is `atomic`; what a killed program left of it
-//! is a `leftover`. What the program remembers
-//! for a user lies in his [`Folders`]: `settings`, and what `recovery` needs after a crash. A [`Stamp`] tells
+//! Only ordinary files are read, and each kind up to a limit of its own, so that a wrong path can neither hold up the
+//! program nor fill the memory. Writing is `atomic`; what a killed program left of it is a `leftover`. What the program
+//! remembers for a user lies in his [`Folders`]: `settings`, and what `recovery` needs after a crash. A [`Stamp`] tells
 //! whether a file is still the one that was read or written; a [`Watcher`] looks at one every now and then.
 
 mod atomic;
 mod error;
+mod file_id;
+mod folder;
 mod folders;
 mod leftover;
+mod ordinary;
 mod recovery;
 mod settings;
 mod stamp;
@@ -16,6 +19,8 @@ mod watcher;
 
 pub use atomic::{Over, check_writable, write_atomic, write_one_of_many, write_over};
 pub use error::StorageError;
+pub use file_id::FileId;
+pub use folder::Folder;
 pub use folders::Folders;
 pub use recovery::{Orphan, RecoverySlot, Rescue, orphans};
 pub use settings::{Settings, ThemeChoice};
@@ -24,37 +29,27 @@ pub use watcher::{Sighting, Watcher};
 
 use std::fs::{self, File};
 use std::io::Read;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-/// The bytes of a file of at most `limit` bytes.
+/// The bytes of an ordinary file of at most `limit` bytes.
 ///
 /// # Errors
-/// If it can't be read, is a folder, or is larger.
+/// If it can't be read, is a folder, a pipe or a device, or is larger.
 pub fn read(path: &Path, limit: usize) -> Result<Vec<u8>, StorageError> {
-    let fail = |error| StorageError::read(path, &error);
+    let (file, about) = ordinary::open(path, File::options().read(true))?;
+    let too_large = || StorageError::Read {
+        path: path.into(),
+        reason: format!("it is larger than {} MB", limit >> 20),
+        hint: "is it the right file?".into(),
+    };
+    if about.len() > limit as u64 {
+        return Err(too_large());
+    }
     let mut bytes = Vec::new();
-    let file = File::open(path).map_err(fail)?;
-    file.take(limit as u64 + 1).read_to_end(&mut bytes).map_err(fail)?;
-    if bytes.len() > limit {
-        return Err(StorageError::Read {
-            path: path.into(),
-            reason: format!("it is larger than {} MB", limit >> 20),
-            hint: "is it the right file?".into(),
-        });
-    }
-    Ok(bytes)
-}
-
-/// Makes the folder, and those that it lies in, if they are not there.
-///
-/// # Errors
-/// If one of them is a file, or can't be made.
-pub fn make_folder(path: &Path) -> Result<(), StorageError> {
-    if path.exists() && !path.is_dir() {
-        let (reason, hint) = ("it is a file", "give a folder, or the name of a new one");
-        return Err(StorageError::Write { path: path.into(), reason: reason.into(), hint: hint.into() });
-    }
-    fs::create_dir_all(path).map_err(|error| StorageError::write(path, &error))
+    // It may grow while it is read.
+    let read = file.take(limit as u64 + 1).read_to_end(&mut bytes);
+    read.map_err(|error| StorageError::read(path, &error))?;
+    if bytes.len() > limit { Err(too_large()) } else { Ok(bytes) }
 }
 
 /// Gives the file `from` the name `to`, in place of what has it.
@@ -70,9 +65,10 @@ pub fn remove_if_there(path: &Path) {
     let _ = fs::remove_file(path);
 }
 
-/// Whether both names lead to one file that is there.
-pub fn is_same_file(a: &Path, b: &Path) -> bool {
-    matches!((fs::canonicalize(a), fs::canonicalize(b)), (Ok(a), Ok(b)) if a == b)
+/// The names of all that lies in a folder; none if it can't be looked at.
+pub fn names_in(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    entries.map(|entry| entry.file_name().into()).collect()
 }
 
 /// Whether a file is there.

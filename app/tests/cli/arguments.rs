@@ -1,6 +1,7 @@
 //! Arguments that can't be used, and places that can't be written.
 
 use crate::Place;
+use serde_json::json;
 
 /// Arguments, exit code, words on stderr.
 const CASES: &[(&str, i32, &[&str])] = &[
@@ -51,7 +52,20 @@ const CASES: &[(&str, i32, &[&str])] = &[
     ("fly good.cloudscene --path a -o out --method turth", 2, &["--method", "did you mean `truth`?"]),
     ("fly good.cloudscene --path a -o out --method half --sorting crossfade", 2, &["--method", "--sorting"]),
     ("fly good.cloudscene --path a -o out --truth --renderer gpu", 2, &["--truth", "CPU"]),
-    ("flip good.cloudscene", 2, &["good.cloudscene", "--help"]),
+    ("rendr", 2, &["“rendr”", "no scene of that name", "did you mean `render`?"]),
+    ("rendr good.cloudscene -o out.png", 2, &["did you mean `render`?", "new, render, fly, chart"]),
+    ("nw out.cloudscene", 2, &["did you mean `new`?"]),
+    ("flyy good.cloudscene --path west -o out", 2, &["did you mean `fly`?"]),
+    ("chrat good.cloudscene -o out", 2, &["did you mean `chart`?"]),
+    ("Check good.cloudscene", 2, &["did you mean `check`?"]),
+    ("inof good.cloudscene", 2, &["did you mean `info`?"]),
+    ("exprot good.cloudscene -o out.json", 2, &["did you mean `export`?"]),
+    ("thn good.cloudscene -o out.cloudscene", 2, &["did you mean `thin`?"]),
+    ("sky good.cloudscene", 2, &["good.cloudscene", "--help"]),
+    ("good.cloudscene good.cloudscene", 2, &["good.cloudscene", "--help"]),
+    ("chekc", 3, &["no display"]),
+    ("new sky.cloudscene --preset startr", 2, &["did you mean `starter`?"]),
+    ("render good.cloudscene -o out.png --camera abov", 2, &["did you mean `above`? the cameras are main, above"]),
 ];
 
 #[test]
@@ -59,6 +73,7 @@ fn what_cannot_be_done_is_said() {
     let place = Place::new();
     std::fs::create_dir(place.path("folder.png")).expect("writable");
     place.put("guarded.png", b"old");
+    place.put("chekc", crate::scenes::good().as_bytes());
     let mut guarded = std::fs::metadata(place.path("guarded.png")).expect("there").permissions();
     guarded.set_readonly(true);
     std::fs::set_permissions(place.path("guarded.png"), guarded).expect("allowed");
@@ -90,4 +105,33 @@ fn every_subcommand_has_examples() {
         assert_eq!((ran.code, ran.stderr.as_str()), (0, ""), "{words}");
         assert!(ran.stdout.contains("Examples:\n  cloudwright "), "{words}");
     }
+}
+
+/// Known before anything is drawn, and no folder is left that was made for it.
+#[test]
+fn names_that_are_too_long() {
+    let place = Place::new();
+    let flown = crate::scenes::changed(|scene| {
+        crate::scenes::aircraft(scene, "none.glb");
+        let mut end = scene["paths"][0]["keys"][0].clone();
+        (end["time_s"], scene["aircraft"]) = (json!(1), json!([]));
+        scene["paths"][0]["keys"].as_array_mut().expect("keys").push(end);
+        scene["paths"][0]["name"] = json!("west".repeat(70));
+    });
+    place.put("flown.cloudscene", &flown);
+    let long = "x".repeat(260);
+    let path = "west".repeat(70);
+    for words in [
+        format!("render good.cloudscene -o {long}.png"),
+        format!("export good.cloudscene -o {long}.json"),
+        format!("thin good.cloudscene -o {long}.cloudscene"),
+        format!("new {long}.cloudscene"),
+        format!("chart flown.cloudscene -o out/{long}"),
+        format!("fly flown.cloudscene --path {path} -o new/out"),
+        format!("fly flown.cloudscene --path {path} -o out.mp4"),
+        format!("fly flown.cloudscene --path {path} -o new/{long}"),
+    ] {
+        place.refuses(&words, 3, &["can't be written: its name is too long", "choose a shorter name"]);
+    }
+    place.refuses(&format!("check {long}"), 2, &["can't be read", "too long", "check the name"]);
 }

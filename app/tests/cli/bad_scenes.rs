@@ -1,7 +1,7 @@
 //! Scene files with every kind of fault: each subcommand says where and what to do, and leaves nothing behind.
 
 use crate::Place;
-use crate::scenes::{changed, good, replaced};
+use crate::scenes::{aircraft, changed, good, replaced};
 use serde_json::json;
 
 /// What is wrong, the file, the place named, a word of the hint.
@@ -103,14 +103,6 @@ fn cases() -> Vec<Case> {
     ]
 }
 
-/// Flies one along a path of one key.
-fn aircraft(scene: &mut serde_json::Value, model: &str) {
-    let key = json!({ "time_s": 0, "position": [0, 1000, 0], "heading_deg": 0, "pitch_deg": 0 });
-    scene["paths"] = json!([{ "id": 900, "name": "west", "field_of_view_deg": 55, "keys": [key] }]);
-    scene["aircraft"] = json!([{ "id": 901, "name": "leader", "model": model, "path": 900 }]);
-    scene["next_id"] = json!(1000);
-}
-
 fn many_sprites(scene: &mut serde_json::Value) {
     for each in 0..2 {
         scene["models"][0]["boxes"][each]["sprite_count"] = json!(1_000_000);
@@ -190,18 +182,4 @@ fn one_unreadable_file_does_not_hide_the_others() {
     assert_eq!(ran.code, 2);
     assert!(ran.stderr.contains("none.cloudscene"), "{}", ran.stderr);
     assert!(ran.stdout.starts_with("bad.cloudscene: line 1: error: the file is empty"), "{}", ran.stdout);
-}
-
-#[test]
-fn names_from_a_file_cannot_steer_the_terminal() {
-    let evil = changed(|s| {
-        s["clouds"][0]["name"] = json!("a\u{1b}[2Jb\nc");
-        s["cameras"][0]["name"] = json!("\u{7}main");
-    });
-    let place = place_with(&evil);
-    for words in ["info bad.cloudscene", "check bad.cloudscene", "render bad.cloudscene -o a.png --camera x"] {
-        let ran = place.run(words);
-        let said = ran.stdout + &ran.stderr;
-        assert!(!said.contains(['\u{1b}', '\u{7}']), "{words}: {said:?}");
-    }
 }

@@ -164,3 +164,34 @@ fn a_video_is_whole_or_not_there() {
         assert!(called_with.contains(wanted), "no “{wanted}” in: {called_with}");
     }
 }
+
+/// Each is flown through both: what the first drew is not taken for the second's.
+#[test]
+fn paths_of_like_names_share_no_pictures() {
+    let place = Place::new();
+    let names = ["a/b", "a_b", "A_B", "a_b-2"];
+    let scene = changed(|scene| {
+        scene["next_id"] = json!(910);
+        let path = |(number, name): (usize, &&str)| {
+            let mut path = flight();
+            (path["id"], path["name"]) = (json!(901 + number), json!(name));
+            path["keys"][0]["position"][0] = json!(-1000 + 100 * number as i64);
+            path
+        };
+        scene["paths"] = json!(names.iter().enumerate().map(path).collect::<Vec<_>>());
+    });
+    place.put("flown.cloudscene", &scene);
+    let fly = |name: &str| {
+        place.run(&format!("fly flown.cloudscene --path {name} --size 64x36 --renderer cpu -o out --frames 0..1"))
+    };
+    for name in names {
+        let ran = fly(name);
+        assert!(ran.code == 0 && ran.stderr.contains("1 drawn, 0 kept"), "{name}: {}", ran.stderr);
+    }
+    let mut files: Vec<_> =
+        std::fs::read_dir(place.path("out")).expect("made").collect::<Result<_, _>>().expect("read");
+    files.sort_by_key(std::fs::DirEntry::file_name);
+    let found: Vec<String> = files.iter().map(|file| file.file_name().to_string_lossy().into_owned()).collect();
+    assert_eq!(found, ["A_B-3_00000.png", "a_b-2-2_00000.png", "a_b-2_00000.png", "a_b_00000.png"]);
+    assert!(fly("A_B").stderr.contains("0 drawn, 1 kept"));
+}

@@ -11,10 +11,13 @@ mod bad_scenes;
 mod chart;
 mod fly;
 mod gpu;
+mod inputs;
 mod killed;
 mod new;
 mod pictures;
 mod scenes;
+mod special_files;
+mod terminal;
 mod thin;
 
 use std::path::{Path, PathBuf};
@@ -62,7 +65,7 @@ impl Place {
 
     /// Runs `cloudwright` here; `words` are split at spaces.
     fn run(&self, words: &str) -> Ran {
-        cloudwright(self.folder.path(), words, &[])
+        self.run_with(&[], words)
     }
 
     /// As [`Place::run`], on so many threads.
@@ -72,7 +75,12 @@ impl Place {
 
     /// As [`Place::run`], with these variables set.
     fn run_with(&self, variables: &[(&str, &str)], words: &str) -> Ran {
-        cloudwright(self.folder.path(), words, variables)
+        cloudwright(self.folder.path(), words.split_whitespace(), variables)
+    }
+
+    /// As [`Place::run`], with words that may hold anything.
+    fn run_words(&self, words: &[&str]) -> Ran {
+        cloudwright(self.folder.path(), words.iter().copied(), &[])
     }
 
     /// As [`Place::run`], and the run must end with `code` and say each of `wanted` on stderr, and leave no file that
@@ -89,9 +97,9 @@ impl Place {
     }
 }
 
-fn cloudwright(folder: &Path, words: &str, variables: &[(&str, &str)]) -> Ran {
+fn cloudwright<'a>(folder: &Path, words: impl Iterator<Item = &'a str>, variables: &[(&str, &str)]) -> Ran {
     let Output { status, stdout, stderr } = Command::new(env!("CARGO_BIN_EXE_cloudwright"))
-        .args(words.split_whitespace())
+        .args(words)
         .current_dir(folder)
         .env_remove("DISPLAY")
         .env_remove("WAYLAND_DISPLAY")

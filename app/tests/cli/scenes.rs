@@ -5,6 +5,7 @@ use cloudwright_core::scene::{
     BoxId, Camera, CameraId, Category, Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene,
 };
 use glam::DVec3;
+use serde_json::json;
 
 /// A model of two boxes, placed twice, with two cameras; small enough for quick pictures.
 pub(crate) fn good_scene() -> Scene {
@@ -43,4 +44,12 @@ pub(crate) fn replaced(from: &str, to: &str) -> Vec<u8> {
     let text = good();
     assert!(text.contains(from), "no {from} in the scene");
     text.replacen(from, to, 1).into_bytes()
+}
+
+/// Flies an aircraft of that model along a path of one key, `west`.
+pub(crate) fn aircraft(scene: &mut serde_json::Value, model: &str) {
+    let key = json!({ "time_s": 0, "position": [0, 1000, 0], "heading_deg": 0, "pitch_deg": 0 });
+    scene["paths"] = json!([{ "id": 900, "name": "west", "field_of_view_deg": 55, "keys": [key] }]);
+    scene["aircraft"] = json!([{ "id": 901, "name": "leader", "model": model, "path": 900 }]);
+    scene["next_id"] = json!(1000);
 }

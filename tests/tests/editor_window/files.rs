@@ -3,6 +3,8 @@
 use crate::Window;
 use cloudwright::editor::{Ask, Reply};
 use cloudwright::opening;
+use cloudwright::saving;
+use cloudwright::storage::Over;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, ViewportCommand, ViewportEvent, ViewportId};
 use egui_kittest::kittest::Queryable;
@@ -149,4 +151,58 @@ fn closing_the_window_asks_first() {
     window.settle();
     window.press("Don't save");
     assert!(!close(&mut window), "answered");
+}
+
+/// Reading it would wait for somebody at the pipe's other end.
+#[cfg(unix)]
+#[test]
+fn a_pipe_is_refused_and_not_waited_for() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("pipe.cloudscene");
+    assert!(std::process::Command::new("mkfifo").arg(&path).status().expect("mkfifo runs").success());
+    let mut window = Window::open();
+    window.settle();
+    let scene = window.scene().clone();
+    window.answer(Reply::Path(path));
+    window.keys(Modifiers::COMMAND, Key::O);
+    assert!(window.shows("it is a pipe, not a file"));
+    window.press("OK");
+    assert_eq!(window.scene(), &scene);
+}
+
+#[test]
+fn saved_into_another_folder_a_scene_takes_its_atlas_along() {
+    const ATLAS: &[u8] = include_bytes!("../../../assets/atlas/clouds.png");
+    let home = tempfile::tempdir().expect("a folder");
+    let [old, new] = ["old", "new"].map(|name| home.path().join(name));
+    let mut window = Window::open();
+    window.settle();
+    for folder in [&old, &new] {
+        std::fs::create_dir(folder).expect("writable");
+    }
+    let mut scene = window.scene().clone();
+    scene.atlas = Some("own.png".into());
+    std::fs::write(old.join("own.png"), ATLAS).expect("writable");
+    saving::save(&scene, None, &old.join("sky.cloudscene"), Over::Nothing).expect("writable");
+    window.answer(Reply::Path(old.join("sky.cloudscene")));
+    window.keys(Modifiers::COMMAND, Key::O);
+    let save_as = |window: &mut Window, name: &str| {
+        window.answer(Reply::Path(new.join(name)));
+        window.keys(Modifiers::COMMAND | Modifiers::SHIFT, Key::S);
+    };
+    save_as(&mut window, "sky.cloudscene");
+    assert!(window.shows("copied beside it: own.png"));
+    assert!(std::fs::read(new.join("own.png")).expect("copied") == ATLAS);
+    assert_eq!(window.session().path(), Some(new.join("sky.cloudscene").as_path()));
+    // Back to the old one: another file of that name is left as it is, and so is the document's own.
+    window.answer(Reply::Path(old.join("sky.cloudscene")));
+    window.keys(Modifiers::COMMAND, Key::O);
+    std::fs::write(new.join("own.png"), "precious").expect("writable");
+    save_as(&mut window, "other.cloudscene");
+    assert!(window.shows("another file than the scene's atlas"));
+    window.press("OK");
+    assert!(
+        std::fs::read(new.join("own.png")).expect("there") == b"precious" && !new.join("other.cloudscene").exists()
+    );
+    assert_eq!(window.session().path(), Some(old.join("sky.cloudscene").as_path()));
 }

@@ -40,7 +40,7 @@ impl Window {
 fn another_program_writes(path: &Path, name: &str) -> Scene {
     let mut scene = opening::open_scene(path).expect("a sound scene");
     scene.name = name.into();
-    saving::save(&scene, path, Over::Anything).expect("writable");
+    saving::save(&scene, None, path, Over::Anything).expect("writable");
     scene
 }
 

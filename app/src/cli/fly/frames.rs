@@ -1,7 +1,8 @@
 //! The frames of a flight: which there are, what their files are called, and whether one is there whole.
 
 use crate::cli::failure::Failure;
-use crate::storage::{self, StorageError};
+use crate::storage::{self, Folder, StorageError};
+use cloudwright_core::scene::{CameraPath, Scene};
 use std::io::Cursor;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -12,10 +13,11 @@ const MAX_FRAME_BYTES: usize = 1 << 30;
 /// Where the frames of one run lie.
 pub(super) struct Frames {
     pub(super) folder: PathBuf,
-    /// Of the flight, fit for a file's name.
+    /// Of the flight, fit for a file's name, and no other flight's of the scene.
     pub(super) path_name: String,
     /// Width and height, pixels.
     pub(super) size: [u32; 2],
+    pub(super) numbers: Range<u32>,
 }
 
 impl Frames {
@@ -23,10 +25,24 @@ impl Frames {
         self.folder.join(format!("{}_{number:05}.png", self.path_name))
     }
 
-    /// Makes the folder, and sees whether the frame `first` can be written there.
-    pub(super) fn make_folder(&self, first: u32) -> Result<(), StorageError> {
-        storage::make_folder(&self.folder)?;
-        storage::check_writable(&self.file(first))
+    /// Those that lie there already, from whatever run.
+    pub(super) fn there(&self) -> Vec<PathBuf> {
+        // On some disks a name in other letters, small or large, is the same.
+        let prefix = format!("{}_", self.path_name).to_lowercase();
+        let is_frame = |name: &PathBuf| {
+            let name = name.to_string_lossy().to_lowercase();
+            let number = name.strip_prefix(&prefix).and_then(|rest| rest.strip_suffix(".png")?.parse().ok());
+            number.is_some_and(|number| self.numbers.contains(&number))
+        };
+        storage::names_in(&self.folder).into_iter().filter(is_frame).map(|name| self.folder.join(name)).collect()
+    }
+
+    /// Makes the folder, and sees whether the frames can be written there.
+    pub(super) fn make_folder(&self) -> Result<Folder, StorageError> {
+        let folder = Folder::make(&self.folder)?;
+        // The last has the longest name.
+        storage::check_writable(&self.file(self.numbers.end - 1))?;
+        Ok(folder)
     }
 
     /// Whether the frame is there to its last byte, in this size.
@@ -71,8 +87,24 @@ pub(super) fn chosen(asked: Option<Range<u32>>, duration_s: f64, fps: u32) -> Re
     }
 }
 
-/// A path's name as a part of a file's, on any system.
-pub(super) fn file_name_of(path_name: &str) -> String {
+/// A path's name as a part of files' names, on any system: another one for each path of `scene`, for one that would share
+/// the name of an earlier one is numbered.
+pub(super) fn file_name_of(path: &CameraPath, scene: &Scene) -> String {
+    let mut taken: Vec<String> = Vec::new();
+    for one in scene.paths.iter() {
+        let plain = plain_name(&one.name);
+        let numbered = (2..).map(|number| format!("{plain}-{number}"));
+        let is_free = |name: &String| !taken.contains(&name.to_lowercase());
+        let name = std::iter::once(plain.clone()).chain(numbered).find(is_free).unwrap_or_default();
+        if one.id == path.id {
+            return name;
+        }
+        taken.push(name.to_lowercase());
+    }
+    plain_name(&path.name)
+}
+
+fn plain_name(path_name: &str) -> String {
     let name: String = path_name.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
     if name.is_empty() { "path".into() } else { name }
 }
@@ -80,6 +112,7 @@ pub(super) fn file_name_of(path_name: &str) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cloudwright_core::scene::PathId;
 
     #[test]
     fn ranges() {
@@ -102,9 +135,14 @@ mod tests {
     }
 
     #[test]
-    fn names() {
-        for (name, wanted) in [("through", "through"), ("a/b %d:c", "a_b__d_c"), ("..", "__"), ("", "path")] {
-            assert_eq!(file_name_of(name), wanted);
-        }
+    fn each_path_has_a_name_of_its_own() {
+        let names = ["through", "a/b %d:c", "..", "", "a_b__d_c", "A_B__D_C", "a_b__d_c-2", "path", "through"];
+        let path = |(id, name): (u64, &&str)| CameraPath::new(PathId(id), *name, Vec::new());
+        let paths = (1..).zip(&names).map(path).collect();
+        let scene = Scene { paths, ..Scene::default() };
+        let found: Vec<String> = scene.paths.iter().map(|path| file_name_of(path, &scene)).collect();
+        let wanted =
+            ["through", "a_b__d_c", "__", "path", "a_b__d_c-2", "A_B__D_C-3", "a_b__d_c-2-2", "path-2", "through-2"];
+        assert_eq!(found, wanted);
     }
 }

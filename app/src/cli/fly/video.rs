@@ -11,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 /// In the folder of the frames, as long as ffmpeg works.
-const UNFINISHED: &str = "unfinished.mp4";
+pub(super) const UNFINISHED: &str = "unfinished.mp4";
 
 /// Whether frames are to become a video.
 pub(super) fn is_name(output: &Path) -> bool {
@@ -34,8 +34,8 @@ pub(super) fn frames_folder(output: &Path) -> PathBuf {
 }
 
 /// Makes `output` of frames that are all there.
-pub(super) fn write(output: &Path, frames: &Frames, numbers: &Range<u32>, fps: u32) -> Result<(), Failure> {
-    let words = ffmpeg_words(&frames.path_name, numbers, fps);
+pub(super) fn write(output: &Path, frames: &Frames, fps: u32) -> Result<(), Failure> {
+    let words = ffmpeg_words(&frames.path_name, &frames.numbers, fps);
     let by_hand = || {
         let name = output.file_name().unwrap_or_default().to_string_lossy();
         let folder = frames.folder.display();
@@ -56,8 +56,7 @@ pub(super) fn write(output: &Path, frames: &Frames, numbers: &Range<u32>, fps: u
             return Ok(());
         }
         Ok(ran) => {
-            let text = String::from_utf8_lossy(&ran.stderr).trim().to_owned();
-            format!("ffmpeg failed: {}", crate::opening::one_line(&text))
+            format!("ffmpeg failed: {}", String::from_utf8_lossy(&ran.stderr).trim())
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => "there is no ffmpeg on this machine".into(),
         Err(error) => format!("ffmpeg can't be run: {error}"),

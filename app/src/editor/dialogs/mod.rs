@@ -15,6 +15,7 @@ use super::files::Ask;
 use super::intent::Intent;
 use crate::storage::{Orphan, Over};
 use crate::theme;
+use crate::visible;
 use cloudwright_core::problem::Problem;
 use egui::{Align2, Id, Modal, Ui};
 use question::Question;
@@ -178,7 +179,7 @@ fn window<T>(
 ) -> Option<T> {
     let modal = Modal::new(Id::unique(heading)).frame(theme::dialog(context)).show(context, |ui| {
         ui.set_width(width);
-        ui.heading(heading);
+        ui.heading(visible::one_line(heading));
         ui.add_space(theme::GAP);
         add(ui)
     });

@@ -2,6 +2,7 @@
 
 use super::{buttons, window};
 use crate::theme;
+use crate::visible;
 use std::path::Path;
 
 /// Index of the first answer.
@@ -57,7 +58,7 @@ impl Question {
     /// The answer's index, when it is given.
     pub(super) fn ask(&self, context: &egui::Context) -> Option<usize> {
         window(context, theme::DIALOG_WIDTH, self.heading, self.escape, |ui| {
-            ui.label(&self.text);
+            ui.label(visible::one_line(&self.text));
             buttons(ui, |ui| {
                 let mut answered = None;
                 for (index, answer) in self.answers.iter().enumerate() {

@@ -3,6 +3,7 @@
 use super::{buttons, window};
 use crate::opening;
 use crate::theme;
+use crate::visible;
 use cloudwright_core::problem::Problem;
 use egui::{RichText, ScrollArea, Ui};
 
@@ -29,11 +30,12 @@ impl Trouble {
 fn show_problem(ui: &mut Ui, problem: &Problem) {
     if !problem.place.is_empty() {
         let mark = opening::severity_name(problem);
-        ui.label(RichText::new(format!("{mark} at {}", problem.place)).monospace().color(theme::error(ui)));
+        let place = visible::one_line(&problem.place);
+        ui.label(RichText::new(format!("{mark} at {place}")).monospace().color(theme::error(ui)));
     }
-    ui.label(&problem.message);
+    ui.label(visible::lines(&problem.message));
     if !problem.hint.is_empty() {
-        ui.weak(&problem.hint);
+        ui.weak(visible::lines(&problem.hint));
     }
     ui.add_space(theme::GAP);
 }
