@@ -1,10 +1,8 @@
 //! Single edits: each sets one part of the scene and yields the edit that undoes it.
 
 use super::{Change, EditError};
-use crate::scene::{
-    Aircraft, AircraftId, Camera, CameraId, CameraPath, Cloud, CloudBox, CloudId, CloudModel, Ground, HasId, IdCounter,
-    InScene, List, ModelId, PathId, Place, Scene, ShadingGroup, Sky, Sun, Thing, kinds,
-};
+// With the types and ids that the rows name.
+use crate::scene::*;
 
 macro_rules! edits {
     ($($(#[$doc:meta])* $Kind:ident: $Value:ident, $Id:ident, $list:ident, $word:literal, $title:literal;)*) => {

@@ -59,18 +59,15 @@ macro_rules! ids {
     )*};
 }
 ids! {
-    /// A cloud model.
-    ModelId;
-    /// A placed cloud.
-    CloudId;
     /// A box within a model.
     BoxId;
     /// A shading group that several boxes of a model share.
     GroupId;
-    /// A camera.
-    CameraId;
-    /// A camera path.
-    PathId;
-    /// An aircraft.
-    AircraftId;
 }
+
+macro_rules! ids_of_kinds {
+    ($($(#[$doc:meta])* $Kind:ident: $Value:ident, $Id:ident, $list:ident, $word:literal, $title:literal;)*) => {
+        ids! { $($(#[$doc])* $Id;)* }
+    };
+}
+super::kinds!(ids_of_kinds);

@@ -1,9 +1,7 @@
 //! Access to the scene's lists by kind.
 
-use super::{
-    Aircraft, AircraftId, Camera, CameraId, CameraPath, Cloud, CloudId, CloudModel, HasId, InScene, List, ModelId,
-    PathId, Scene, Thing, kinds,
-};
+// The types and ids that the rows name, with the rest of the room.
+use super::*;
 
 /// A kind of thing that stands in a list of the scene.
 pub trait Listed: HasId + InScene + 'static {

@@ -31,7 +31,7 @@ pub use cloud_box::{CloudBox, SpriteEdit};
 pub use color_levels::{ColorLevel, ColorLevels};
 pub use daily_table::{DailyKey, DailyTable};
 pub use formation::{Formation, FormationChange};
-pub use ids::{AircraftId, BoxId, CameraId, CloudId, GroupId, HasId, IdCounter, ModelId, PathId};
+pub use ids::*;
 pub(crate) use kinds::kinds;
 pub use list::List;
 pub use listed::{ForKind, Listed, for_each_kind};

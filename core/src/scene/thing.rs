@@ -1,6 +1,8 @@
 //! What can be chosen in a scene, and what things in its lists say of themselves.
 
-use super::{AircraftId, BoxId, CameraId, CloudId, GroupId, ModelId, PathId, kinds};
+// The ids that the rows name.
+use super::ids::*;
+use super::kinds;
 use glam::DVec3;
 
 macro_rules! things {
