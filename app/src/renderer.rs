@@ -95,7 +95,7 @@ impl Renderer {
         if side <= 1 {
             return Ok(renderer.picture(gpu, frame)?);
         }
-        Ok(develop(&renderer.linear_picture(gpu, frame)?.reduced(side), frame.exposure))
+        Ok(develop(&renderer.linear_picture(gpu, frame)?.reduced(side), frame.now.exposure))
     }
 
     /// `frame` for figures. The truth as in [`Renderer::picture`].

@@ -6,7 +6,8 @@
 //! Planck and Ryu do in *Stochastic Simplification of Aggregate Detail*, 2007, would blend as many fragments as before,
 //! and fragments are what clouds cost.)
 
-use crate::sprites::{Atlas, PlacedCloud, Sprite};
+use crate::sprites::{Atlas, Sprite};
+use crate::weather::CloudNow;
 use rayon::prelude::*;
 use std::cmp::Ordering;
 
@@ -24,7 +25,7 @@ impl Detail {
 
 /// Which sprites that comes to: always the same of the same clouds; of equal ones the first.
 #[derive(Debug, Clone)]
-pub struct Kept<'a> {
+pub struct Subset<'a> {
     atlas: &'a Atlas,
     /// Of each cloud the least that stays, if any does; none where all do.
     least: Option<Vec<Option<Cover>>>,
@@ -37,10 +38,10 @@ struct Cover {
     sprite: u32,
 }
 
-impl<'a> Kept<'a> {
+impl<'a> Subset<'a> {
     /// Of `clouds`, whose tiles are those of `atlas`.
-    pub fn new(detail: Detail, clouds: &[PlacedCloud], atlas: &'a Atlas) -> Self {
-        let of_cloud = |cloud: &PlacedCloud| {
+    pub fn new(detail: Detail, clouds: &[CloudNow<'_>], atlas: &'a Atlas) -> Self {
+        let of_cloud = |CloudNow { placed: cloud, .. }: &CloudNow<'_>| {
             let count = (cloud.sprites.len() as f64 * f64::from(detail.kept.max(0.0))).ceil() as usize;
             let mut covers: Vec<Cover> = cloud.sprites.iter().zip(0..).map(|(s, at)| Cover::of(s, at, atlas)).collect();
             let last = count.min(covers.len()).checked_sub(1)?;

@@ -50,7 +50,7 @@ pub fn picture(frame: &Frame<'_>, watch: &Watch) -> Option<Picture> {
         Rasterizer::Gpu => return None,
     };
     let linear = if side > 1 { linear.reduced(side) } else { linear };
-    Some(develop(&linear, frame.exposure))
+    Some(develop(&linear, frame.now.exposure))
 }
 
 /// Counts what drawing `frame` takes. The truth blends and sorts the fragments of each sample.

@@ -3,7 +3,7 @@
 use crate::camera::View;
 use crate::color::Rgb;
 use crate::derived::Derived;
-use crate::detail::Kept;
+use crate::detail::Subset;
 use crate::draw_list::{Choice, DrawList};
 use crate::facing::Poses;
 use crate::model_in_view::{ModelInView, aircraft_in_view};
@@ -14,23 +14,19 @@ use crate::sight::Sight;
 use crate::sky::{Background, Dome, GroundLook};
 use crate::sprites::{Atlas, PlacedCloud};
 use crate::version::Version;
-use crate::weather::{Formed, Light};
+use crate::weather::SceneNow;
 
 /// A scene's clouds, light and background as one eye sees them at one moment.
 #[derive(Debug, Clone)]
 pub struct Frame<'a> {
     /// The eye and the picture's size.
     pub view: View,
-    /// The light on the clouds.
-    pub light: Light,
+    /// The moment: light, exposure, and the clouds as they are now; the list counts into these.
+    pub now: SceneNow<'a>,
     /// Sky, ground and haze.
     pub background: Background,
-    /// What the light is multiplied with before the tone curve.
-    pub exposure: f32,
-    /// All clouds; the list counts into them.
+    /// The same clouds at rest.
     pub clouds: &'a [PlacedCloud],
-    /// How far each has formed.
-    pub formed: Vec<Formed>,
     /// Tells this state of the clouds from every other.
     pub clouds_version: Version,
     /// The sprites in view, back to front.
@@ -51,40 +47,36 @@ impl<'a> Frame<'a> {
     /// What is seen of `scene`, whose `derived` is, with the tiles of `atlas`. It is of as many pixels as the sight's rules
     /// take samples.
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
-        let Sight { camera, moment, size, hidden, meshes, history, rules } = sight;
-        let (clouds, clouds_version) = (derived.clouds(), derived.version());
+        let now = SceneNow::new(scene, derived.clouds(), sight.moment, sight.rules.forming);
+        Self::of(now, derived, atlas, sight)
+    }
+
+    /// As [`Frame::new`], of a scene `now`, whatever the sight's moment is.
+    pub fn of(now: SceneNow<'a>, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
+        let Sight { camera, size, hidden, meshes, history, rules, .. } = sight;
+        let (clouds, clouds_version) = (&now.clouds, derived.version());
         let [width, height] = size.map(|length| length * rules.pixels_a_pixel());
         let view = View::new(camera, width, height);
-        let light = Light::at(scene, moment.time_h.unwrap_or(scene.time_of_day_h));
-        let formed = clouds.iter().map(|cloud| rules.forming.formed(cloud.formation.as_ref(), moment.clock_s));
-        let formed: Vec<Formed> = formed.collect();
-        let kept = &Kept::new(rules.detail, clouds, atlas);
+        let subset = &Subset::new(rules.detail, clouds, atlas);
         let mut poses = Poses::new(&rules.facing, clouds, clouds_version, &view, &history.facing);
-        if !kept.is_all() {
-            poses.retain(|cloud, sprite| kept.has(cloud, &clouds[cloud].sprites[sprite as usize], sprite));
+        if !subset.is_all() {
+            poses.retain(|cloud, at| subset.has(cloud, &clouds[cloud].placed.sprites[at as usize], at));
         }
-        let choice = Choice { clouds, formed: &formed, poses: &poses, kept, hidden };
+        let choice = Choice { clouds, poses: &poses, subset, hidden };
         let (order, fading) = history.order.orders();
         Self {
-            view,
-            light,
-            background: background(scene, &view, &light),
-            exposure: libm::exp2(scene.sky.exposure_ev) as f32,
+            background: background(&now, &view),
             list: DrawList::new(&choice, &view, order),
             fading: fading.map(|(order, share)| (DrawList::new(&choice, &view, Some(order)), share)),
-            veil: veil((clouds, &formed, &poses), (&view, &light, atlas, hidden), scene.sky.inside_density as f32),
-            clouds,
-            formed,
+            veil: veil((clouds, &poses), (&view, &now.light, atlas, hidden), now.inside_density),
+            clouds: derived.clouds(),
             clouds_version,
             atlas,
             rules: *rules,
-            models: aircraft_in_view(scene, meshes, moment.clock_s, view.eye),
+            models: aircraft_in_view(&now.aircraft, meshes, view.eye),
+            view,
+            now,
         }
-    }
-
-    /// How far the cloud of that index has formed.
-    pub fn formed(&self, cloud: u32) -> &Formed {
-        self.formed.get(cloud as usize).unwrap_or(&Formed::WHOLE)
     }
 
     /// The same frame in the order that fades out, alone, with its share of the picture.
@@ -94,17 +86,12 @@ impl<'a> Frame<'a> {
     }
 }
 
-fn background(scene: &Scene, view: &View, light: &Light) -> Background {
-    let albedo = scene.ground.as_ref().map_or(Rgb::grey(0.1), |ground| ground.dark.mix(ground.bright, 0.5));
+fn background(now: &SceneNow<'_>, view: &View) -> Background {
+    let SceneNow { light, ground, .. } = now;
+    let albedo = ground.as_ref().map_or(Rgb::grey(0.1), |ground| ground.dark.mix(ground.bright, 0.5));
     Background {
-        dome: Dome::new(
-            light.sun_direction,
-            scene.sky.turbidity as f32,
-            albedo,
-            scene.sky.gain as f32,
-            light.directional_max,
-        ),
-        ground: scene.ground.as_ref().and_then(|ground| GroundLook::new(ground, view.eye, light)),
-        haze_length_m: (scene.sky.haze_length_m as f32).max(1.0),
+        dome: Dome::new(light.sun_direction, now.turbidity, albedo, now.sky_gain, light.directional_max),
+        ground: ground.as_ref().and_then(|ground| GroundLook::new(ground, view.eye, light)),
+        haze_length_m: now.haze_length_m,
     }
 }

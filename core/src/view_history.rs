@@ -9,6 +9,7 @@ use crate::derived::Derived;
 use crate::draw_list::OrderMemory;
 use crate::facing::FacingMemory;
 use crate::rules::Rules;
+use crate::weather::clouds_now;
 
 /// Seconds between two steps (MODEL §4).
 pub const STEP_S: f64 = 1.0 / 60.0;
@@ -23,9 +24,9 @@ pub struct ViewHistory {
 }
 
 impl ViewHistory {
-    /// Goes on to `view`, by `rules`.
-    pub fn step(&mut self, rules: &Rules, derived: &Derived, view: &View) {
-        let (clouds, version) = (derived.clouds(), derived.version());
+    /// Goes on to `view` by `rules`, through the clouds as they are at `clock_s`, seconds of the scene's clock.
+    pub fn step(&mut self, rules: &Rules, derived: &Derived, clock_s: f64, view: &View) {
+        let (clouds, version) = (&clouds_now(derived.clouds(), clock_s, rules.forming), derived.version());
         self.facing.step(&rules.facing, clouds, version, view.eye, view.up);
         self.order.step(&rules.sorting, clouds, version, view);
     }

@@ -1,19 +1,21 @@
 //! The scene's clouds on the GPU.
 //!
 //! On the edit clock: sprites, groups and clouds, in data textures, written when the clouds' version is another.
-//! On the camera clock: which sprites to draw in what order, the poses of those near the eye, and of each cloud how far it
-//! has formed and where it lies from the eye; that difference is taken in f64 here, so that a scene 1,000 km from the
+//! On the camera clock: which sprites to draw in what order, the poses of those near the eye, and of each cloud how the
+//! moment has it ([`CloudNow`]) and where it lies from the eye; that difference is taken in f64 here, so that a scene 1,000 km from the
 //! origin is as sharp as one at it.
 //! The structs are texels of four words; sprites.wgsl reads them.
 
 use crate::buffer::VertexBuffer;
 use crate::texture::DataTexture;
 use crate::{Gpu, RenderError};
-use cloudwright_core::draw_list::{DrawList, eye_offset};
+use cloudwright_core::camera::View;
+use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::sprites::{Group, PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
+use cloudwright_core::weather::CloudNow;
 
 /// What the vertex shader is given of a sprite: cloud index, sprite address, and pose, if it has one of its own.
 pub(crate) type Instance = [u32; 3];
@@ -59,7 +61,9 @@ pub(crate) struct MomentTexels {
     from_eye: [f32; 3],
     formed_core: f32,
     formed_falloff: f32,
-    unused: [f32; 3],
+    growth: f32,
+    opacity: f32,
+    unused: f32,
 }
 
 /// A sprite near the eye, in one frame.
@@ -120,14 +124,16 @@ impl CloudData {
             self.uploaded = Some(frame.clouds_version);
         }
         let moments: Vec<MomentTexels> =
-            frame.clouds.iter().zip(0..).map(|(cloud, index)| moment_texels(frame, cloud, index)).collect();
-        let poses: Vec<PoseTexels> = frame.list.poses.iter().map(pose_texels).collect();
+            frame.now.clouds.iter().map(|cloud| moment_texels(cloud, &frame.view)).collect();
+        let mut poses: Vec<PoseTexels> = frame.list.poses.iter().map(pose_texels).collect();
+        // Both orders show the same poses.
+        let order = self.in_order(frame, &frame.list, &mut poses);
+        let older = frame.fading.as_ref().map(|(older, _)| self.in_order(frame, older, &mut poses));
         renewed |= self.moments.write(gpu, &moments)? | self.poses.write(gpu, &poses)?;
         self.bytes_uploaded += (size_of_val(moments.as_slice()) + size_of_val(poses.as_slice())) as u64;
-        // Both orders show the same poses.
-        self.order.write(gpu, &self.in_order(&frame.list))?;
-        if let Some((older, _)) = &frame.fading {
-            self.older_order.write(gpu, &self.in_order(older))?;
+        self.order.write(gpu, &order)?;
+        if let Some(older) = older {
+            self.older_order.write(gpu, &older)?;
             self.bytes_uploaded += self.older_order.bytes();
         }
         self.bytes_uploaded += self.order.bytes();
@@ -149,13 +155,26 @@ impl CloudData {
         Ok(self.sprites.write(gpu, &sprites)? | self.groups.write(gpu, &groups)? | self.clouds.write(gpu, &clouds)?)
     }
 
-    fn in_order(&self, list: &DrawList) -> Vec<Instance> {
-        let instances = list.sprites.iter().filter_map(|drawn| {
-            // A list of other clouds than the frame's would be a fault of the caller's; it draws what there is.
-            let (first, count) = *self.sprites_of_cloud.get(drawn.cloud as usize)?;
-            (drawn.sprite < count).then_some([drawn.cloud, first + drawn.sprite, drawn.pose])
-        });
-        instances.collect()
+    /// The list's sprites. Those that their run fades have poses of their own, which are added to `poses`.
+    fn in_order(&self, frame: &Frame<'_>, list: &DrawList, poses: &mut Vec<PoseTexels>) -> Vec<Instance> {
+        let mut instances = Vec::with_capacity(list.sprites.len());
+        for (sprites, fade) in list.sprite_runs() {
+            for drawn in sprites {
+                // A list of other clouds than the frame's would be a fault of the caller's; it draws what there is.
+                let Some((first, count)) = self.sprites_of_cloud.get(drawn.cloud as usize).copied() else { continue };
+                if drawn.sprite >= count {
+                    continue;
+                }
+                let mut pose = drawn.pose;
+                if fade < 1.0 {
+                    let whole = list.pose(drawn, &frame.view);
+                    pose = poses.len() as u32;
+                    poses.push(pose_texels(&Pose { fade: whole.fade * fade, ..whole }));
+                }
+                instances.push([drawn.cloud, first + drawn.sprite, pose]);
+            }
+        }
+        instances
     }
 }
 
@@ -190,13 +209,14 @@ fn cloud_texels(cloud: &PlacedCloud) -> CloudTexels {
     }
 }
 
-fn moment_texels(frame: &Frame<'_>, cloud: &PlacedCloud, index: u32) -> MomentTexels {
-    let formed = frame.formed(index);
+fn moment_texels(cloud: &CloudNow<'_>, view: &View) -> MomentTexels {
     MomentTexels {
-        from_eye: eye_offset(cloud, &frame.view).to_array(),
-        formed_core: formed.core,
-        formed_falloff: formed.falloff,
-        unused: [0.0; 3],
+        from_eye: cloud.from_eye(view.eye).to_array(),
+        formed_core: cloud.formed.core,
+        formed_falloff: cloud.formed.falloff,
+        growth: cloud.growth,
+        opacity: cloud.opacity,
+        unused: 0.0,
     }
 }
 

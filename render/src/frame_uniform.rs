@@ -55,7 +55,8 @@ uniform! {
 
 impl FrameUniform {
     pub(crate) fn new(frame: &Frame<'_>) -> Self {
-        let Frame { view, light, background, .. } = frame;
+        let Frame { view, now, background, .. } = frame;
+        let light = &now.light;
         let dome = &background.dome;
         let [red, green, blue] = &dome.parameters;
         let ground = background.ground.as_ref();
@@ -71,7 +72,7 @@ impl FrameUniform {
             haze_length_m: background.haze_length_m,
             ambient_max: light.ambient_max.to_array(),
             directional_max: light.directional_max.to_array(),
-            exposure: frame.exposure,
+            exposure: now.exposure,
             dome_parameters: std::array::from_fn(|i| [red[i], green[i], blue[i], 0.0]),
             dome_scale: dome.scale.to_array(),
             near_m: camera::NEAR_M,

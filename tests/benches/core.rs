@@ -16,9 +16,9 @@ use cloudwright_core::scene::{Camera, CloudModel};
 use cloudwright_core::shading::corner_light;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::{Atlas, PlacedCloud, populate};
-use cloudwright_core::weather::Formed;
 use cloudwright_core::weather::Light;
 use cloudwright_core::weather::Moment;
+use cloudwright_core::weather::{CloudNow, FormingRule, clouds_now};
 use cloudwright_tests::authoring;
 use cloudwright_tests::small_scenes::heap;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
@@ -67,7 +67,7 @@ fn shading(criterion: &mut Criterion) {
             );
             let group = &cloud.groups[sprite.group as usize];
             quad.into_iter()
-                .map(|corner| corner_light(corner, cloud, group, &light, &Formed::WHOLE).color().rgb.r)
+                .map(|corner| corner_light(corner, &CloudNow::at_rest(cloud), group, &light).color().rgb.r)
                 .sum()
         };
         cloud.sprites.iter().map(corner_sum).sum()
@@ -115,6 +115,7 @@ fn flying(criterion: &mut Criterion) {
     let derived = Derived::new(&scene);
     let cloud = &derived.clouds()[0];
     let middle = cloud.origin + cloud.center.as_dvec3();
+    let clouds = clouds_now(derived.clouds(), 0.0, FormingRule::ClosedForm);
     let mut group = criterion.benchmark_group("one step of lock and fade, one core");
     group.throughput(Throughput::Elements(cloud.sprites.len() as u64));
     for (name, from_middle) in [
@@ -128,7 +129,7 @@ fn flying(criterion: &mut Criterion) {
             bencher.iter(|| {
                 along_m = (along_m + 1.3) % 400.0;
                 let eye = middle + from_middle + DVec3::X * along_m;
-                memory.step(&FacingRule::BOUNDED, derived.clouds(), derived.version(), eye, Vec3::Y);
+                memory.step(&FacingRule::BOUNDED, &clouds, derived.version(), eye, Vec3::Y);
                 memory.sprite_count()
             });
         });

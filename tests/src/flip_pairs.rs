@@ -36,7 +36,7 @@ pub fn make() -> Vec<(&'static str, Picture, Picture)> {
 }
 
 fn true_picture(frame: &Frame<'_>) -> Picture {
-    develop(&truth::linear_picture(frame, truth::SIDE, &Watch::default()), frame.exposure)
+    develop(&truth::linear_picture(frame, truth::SIDE, &Watch::default()), frame.now.exposure)
 }
 
 /// A shipped scene from one of its cameras, so many hours later than it is saved for.

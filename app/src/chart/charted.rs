@@ -88,7 +88,7 @@ impl<'a> Charted<'a> {
         let start = Instant::now();
         let frame = self.frame(at_s);
         let drawn = self.renderer.drawn(&frame, &self.stop)?;
-        let picture = develop(&drawn.linear, frame.exposure);
+        let picture = develop(&drawn.linear, frame.now.exposure);
         Ok(Drawing { linear: drawn.linear, picture, clouds: drawn.clouds, drawn_ms: ms(start) })
     }
 

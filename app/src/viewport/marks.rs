@@ -14,6 +14,7 @@ use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
 use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::weather::clouds_now;
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape, Vec2, vec2};
 use glam::Vec3;
 use std::collections::BTreeSet;
@@ -76,8 +77,8 @@ impl Marks {
 fn mesh(screen: &Screen, sight: &Sight, reading: &Reading<'_>) -> Mesh {
     let view = reading.view;
     let derived = reading.session.derived();
-    let poses =
-        Poses::new(&sight.rules.facing, derived.clouds(), derived.version(), &screen.view, &sight.history.facing);
+    let now = clouds_now(derived.clouds(), sight.moment.clock_s, sight.rules.forming);
+    let poses = Poses::new(&sight.rules.facing, &now, derived.version(), &screen.view, &sight.history.facing);
     let clouds: Vec<(&Cloud, &PlacedCloud)> = marked(reading);
     let count: usize = clouds.iter().map(|(_, placed)| placed.sprites.len()).sum();
     let every = count.div_ceil(MOST).max(1);

@@ -56,7 +56,7 @@ impl Memory {
                 let is_open = session.document().is_open();
                 self.fly(path, reading.clock.time_s(), session.derived(), is_open)
             }
-            None => self.follow(place.camera, session.derived()),
+            None => self.follow(place.camera, reading.clock.time_s(), session.derived()),
         };
         Sight {
             camera: place.camera.clone(),
@@ -82,7 +82,7 @@ impl Memory {
     }
 
     /// A hand has moved the view to `camera`. What it remembers there.
-    fn follow(&mut self, camera: &Camera, derived: &Derived) -> &Arc<ViewHistory> {
+    fn follow(&mut self, camera: &Camera, clock_s: f64, derived: &Derived) -> &Arc<ViewHistory> {
         let here = (camera.position, derived.version());
         if self.last != Some(here) {
             let from = self.last.map_or(camera.position, |(eye, _)| eye);
@@ -90,7 +90,7 @@ impl Memory {
             for step in 1..=steps {
                 let position = from.lerp(camera.position, f64::from(step) / f64::from(steps));
                 let view = View::new(&Camera { position, ..camera.clone() }, 1, 1);
-                Arc::make_mut(&mut self.history).step(&self.rules, derived, &view);
+                Arc::make_mut(&mut self.history).step(&self.rules, derived, clock_s, &view);
             }
             self.last = Some(here);
         }
@@ -142,7 +142,7 @@ mod tests {
         };
         assert!(flown == alone, "what the path's own playback remembers");
         assert!(*flown != ViewHistory::default(), "sprites near the eye are remembered");
-        assert!(*memory.follow(&camera, &derived) == flown, "the hand is where the flight was");
+        assert!(*memory.follow(&camera, 8.0, &derived) == flown, "the hand is where the flight was");
         // A gesture holds the memory; its end may bring another path.
         assert!(*memory.fly(&path, 0.0, &derived, true) == flown);
         assert!(*memory.fly(&path, 0.0, &derived, false) != flown);

@@ -16,11 +16,10 @@ pub use ranks::Ranks;
 pub use sorting::{LastSort, LazySorting, Sorting};
 
 use crate::camera::View;
-use crate::detail::Kept;
+use crate::detail::Subset;
 use crate::facing::{Pose, Poses};
 use crate::scene::{BoxId, CloudId};
-use crate::sprites::PlacedCloud;
-use crate::weather::Formed;
+use crate::weather::CloudNow;
 use glam::Vec3;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -50,31 +49,58 @@ pub struct DrawSprite {
 /// In place of an index: the sprite simply faces the eye and is not faded.
 pub const FACES_EYE: u32 = u32::MAX;
 
-/// The sprites in view, farthest first.
+/// What is drawn for one view, farthest first, in runs.
+///
+/// Who draws goes by the runs. Measures and the truth go by the sprites alone, whatever stands among them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DrawList {
-    /// Back to front.
+    /// Those of all runs, back to front.
     pub sprites: Vec<DrawSprite>,
     /// Of those that don't simply face the eye.
     pub poses: Vec<Pose>,
+    /// Back to front.
+    pub runs: Vec<Run>,
+}
+
+/// A part of a list that is drawn, and faded, by itself.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Run {
+    /// The list's sprites from that index to where the next run of sprites begins.
+    Sprites {
+        /// The first.
+        from: usize,
+        /// A factor of their alpha, 0 to 1.
+        fade: f32,
+    },
 }
 
 /// What a list is chosen from.
 #[derive(Debug, Clone, Copy)]
 pub struct Choice<'a> {
     /// All clouds.
-    pub clouds: &'a [PlacedCloud],
-    /// How far each has formed; one that is not there counts as whole.
-    pub formed: &'a [Formed],
+    pub clouds: &'a [CloudNow<'a>],
     /// The sprites near the eye.
     pub poses: &'a Poses,
     /// The sprites that are drawn by the detail asked for.
-    pub kept: &'a Kept<'a>,
+    pub subset: &'a Subset<'a>,
     /// What is not to be drawn.
     pub hidden: &'a Hidden,
 }
 
 impl DrawList {
+    /// Of sprites alone, back to front, in one run.
+    pub fn of_sprites(sprites: Vec<DrawSprite>, poses: Vec<Pose>) -> Self {
+        Self { sprites, poses, runs: vec![Run::Sprites { from: 0, fade: 1.0 }] }
+    }
+
+    /// The runs of sprites, back to front, each with its fade.
+    pub fn sprite_runs(&self) -> impl Iterator<Item = (&[DrawSprite], f32)> {
+        let begin = |Run::Sprites { from, fade }: &Run| (*from, *fade);
+        let ends = self.runs.iter().skip(1).map(begin).map(|(from, _)| from).chain([self.sprites.len()]);
+        let runs = self.runs.iter().map(begin).zip(ends);
+        runs.map(|((from, fade), end)| (self.sprites.get(from..end).unwrap_or_default(), fade))
+    }
+
     /// Chooses what `view` sees, and sorts it: by `order`, or by distance now.
     pub fn new(choice: &Choice<'_>, view: &View, order: Option<&Ranks>) -> Self {
         let mut list = Self::unsorted(choice, view);
@@ -86,7 +112,7 @@ impl DrawList {
     }
 
     fn unsorted(choice: &Choice<'_>, view: &View) -> Self {
-        let Choice { clouds, formed, poses, kept, hidden } = choice;
+        let Choice { clouds, poses, subset, hidden } = choice;
         // Asked once, so that sprites are looked up only while boxes are hidden.
         let some_boxes = !hidden.boxes.is_empty();
         let first_pose: Vec<u32> = (0..clouds.len())
@@ -97,39 +123,40 @@ impl DrawList {
             })
             .collect();
         let sprites = clouds.par_iter().enumerate().flat_map_iter(|(cloud_index, cloud)| {
-            let offset = eye_offset(cloud, view);
-            let seen = view.sees_sphere(offset + cloud.center, cloud.reach)
-                && !hidden.clouds.contains(&cloud.id)
-                && formed.get(cloud_index).is_none_or(Formed::shows);
-            let of_cloud: &[_] = if seen { &cloud.sprites } else { &[] };
+            let placed = cloud.placed;
+            let offset = cloud.from_eye(view.eye);
+            let seen = view.sees_sphere(offset + cloud.center_now(), placed.reach * cloud.stretch())
+                && !hidden.clouds.contains(&placed.id)
+                && cloud.shows();
+            let of_cloud: &[_] = if seen { &placed.sprites } else { &[] };
             let mut posed = poses.of_cloud(cloud_index).iter().zip(first_pose[cloud_index]..).peekable();
             of_cloud.iter().zip(0..).filter_map(move |(sprite, index)| {
                 let pose = posed.next_if(|(posed, _)| posed.sprite == index);
-                let center = offset + sprite.position;
+                let center = offset + cloud.position_now(sprite);
                 let shows = view.sees_sphere(center, sprite.reach())
                     && pose.is_none_or(|(posed, _)| posed.pose.fade > 0.0)
                     && !(some_boxes && hidden.boxes.contains(&sprite.box_id))
-                    && kept.has(cloud_index, sprite, index);
+                    && subset.has(cloud_index, sprite, index);
                 let pose = pose.map_or(FACES_EYE, |(_, pose)| pose);
                 shows.then_some(DrawSprite { cloud: cloud_index as u32, sprite: index, center, pose })
             })
         });
         let poses = (0..clouds.len()).flat_map(|cloud| poses.of_cloud(cloud)).map(|posed| posed.pose).collect();
-        Self { sprites: sprites.collect(), poses }
+        Self::of_sprites(sprites.collect(), poses)
     }
 
     /// Every sprite there is, wherever `view` looks.
-    pub(crate) fn of_all(clouds: &[PlacedCloud], view: &View) -> Self {
+    pub(crate) fn of_all(clouds: &[CloudNow<'_>], view: &View) -> Self {
         let all = clouds.iter().zip(0..).flat_map(|(cloud, cloud_index)| {
-            let offset = eye_offset(cloud, view);
-            cloud.sprites.iter().zip(0..).map(move |(sprite, index)| {
-                let center = offset + sprite.position;
+            let offset = cloud.from_eye(view.eye);
+            cloud.placed.sprites.iter().zip(0..).map(move |(sprite, index)| {
+                let center = offset + cloud.position_now(sprite);
                 DrawSprite { cloud: cloud_index, sprite: index, center, pose: FACES_EYE }
             })
         });
         let mut sprites = all.collect();
         sort_back_to_front(&mut sprites);
-        Self { sprites, poses: Vec::new() }
+        Self::of_sprites(sprites, Vec::new())
     }
 
     /// How a sprite of the list stands before the eye of `view`, which the list was made for.
@@ -137,11 +164,6 @@ impl DrawList {
         let own = self.poses.get(drawn.pose as usize).copied();
         own.unwrap_or_else(|| Pose::facing_eye(drawn.center, view.up))
     }
-}
-
-/// Where a cloud's origin lies from the eye, metres. The subtraction is in f64, so it is exact far from the origin.
-pub fn eye_offset(cloud: &PlacedCloud, view: &View) -> Vec3 {
-    (cloud.origin - view.eye).as_vec3()
 }
 
 /// Sorts `sprites`, which stand in order of cloud and sprite index, farthest first; equally far ones stay in order.

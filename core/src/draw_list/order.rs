@@ -6,8 +6,8 @@
 
 use super::{LastSort, Ranks, Sorting};
 use crate::camera::View;
-use crate::sprites::PlacedCloud;
 use crate::version::Version;
+use crate::weather::CloudNow;
 use std::sync::Arc;
 
 /// Steps from one order to the next: half a second.
@@ -27,7 +27,7 @@ pub struct OrderMemory {
 
 impl OrderMemory {
     /// Goes on to `view` by `sorting`.
-    pub fn step(&mut self, sorting: &Sorting, clouds: &[PlacedCloud], version: Version, view: &View) {
+    pub fn step(&mut self, sorting: &Sorting, clouds: &[CloudNow<'_>], version: Version, view: &View) {
         if *sorting == Sorting::EachFrame {
             return;
         }

@@ -2,7 +2,7 @@
 
 use super::DrawList;
 use crate::camera::View;
-use crate::sprites::PlacedCloud;
+use crate::weather::CloudNow;
 
 /// The place of every sprite from far to near, cloud by cloud.
 #[derive(Debug, Clone, PartialEq)]
@@ -12,9 +12,9 @@ pub struct Ranks {
 
 impl Ranks {
     /// All sprites by their distance from the eye.
-    pub fn from_afar(clouds: &[PlacedCloud], view: &View) -> Self {
+    pub fn from_afar(clouds: &[CloudNow<'_>], view: &View) -> Self {
         let list = DrawList::of_all(clouds, view);
-        let mut of_cloud: Vec<Vec<u32>> = clouds.iter().map(|cloud| vec![0; cloud.sprites.len()]).collect();
+        let mut of_cloud: Vec<Vec<u32>> = clouds.iter().map(|cloud| vec![0; cloud.placed.sprites.len()]).collect();
         for (drawn, place) in list.sprites.iter().zip(0..) {
             of_cloud[drawn.cloud as usize][drawn.sprite as usize] = place;
         }

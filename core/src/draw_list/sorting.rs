@@ -2,7 +2,7 @@
 
 use super::Ranks;
 use crate::camera::View;
-use crate::sprites::PlacedCloud;
+use crate::weather::CloudNow;
 use glam::{DVec3, Vec3};
 
 /// When sprites are sorted again.
@@ -23,7 +23,7 @@ pub struct LazySorting {
     /// In words; no two ways have the same, and they are told apart by it.
     pub name: &'static str,
     /// A frame: sorts the ranks of all clouds if it is time.
-    pub step: fn(&mut LastSort, &mut Ranks, &[PlacedCloud], &View),
+    pub step: fn(&mut LastSort, &mut Ranks, &[CloudNow<'_>], &View),
 }
 
 /// What a lazy way remembers of when it last sorted.

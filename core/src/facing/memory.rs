@@ -10,8 +10,8 @@ use super::rule::FacingRule;
 use super::{Pose, upright};
 use crate::camera::View;
 use crate::math::unit_or;
-use crate::sprites::{PlacedCloud, Sprite};
 use crate::version::Version;
+use crate::weather::CloudNow;
 use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
 
@@ -38,7 +38,7 @@ pub(super) struct Remembered {
 impl FacingMemory {
     /// Goes on to `eye` by `rule`. The first step, and one after the clouds have changed (`version`), remembers nothing: sprites
     /// near the eye face it, upright by `camera_up`.
-    pub fn step(&mut self, rule: &FacingRule, clouds: &[PlacedCloud], version: Version, eye: DVec3, camera_up: Vec3) {
+    pub fn step(&mut self, rule: &FacingRule, clouds: &[CloudNow<'_>], version: Version, eye: DVec3, camera_up: Vec3) {
         let known = self.knows(version);
         let mut next: FxHashMap<u32, Vec<Remembered>> = FxHashMap::default();
         for (index, cloud) in (0..).zip(clouds) {
@@ -75,7 +75,7 @@ impl FacingMemory {
     pub(super) fn poses_of(
         &self,
         rule: &FacingRule,
-        (index, cloud): (u32, &PlacedCloud),
+        (index, cloud): (u32, &CloudNow<'_>),
         known: bool,
         view: &View,
         nearest: f32,
@@ -107,37 +107,40 @@ struct ToEye {
 
 impl ToEye {
     /// An eye that has not been anywhere was where it is.
-    fn new(cloud: &PlacedCloud, eye: DVec3, before: Option<DVec3>, nearest: f32) -> Self {
-        let now = (eye - cloud.origin).as_vec3();
-        Self { now, before: before.map_or(now, |before| (before - cloud.origin).as_vec3()), nearest }
+    fn new(cloud: &CloudNow<'_>, eye: DVec3, before: Option<DVec3>, nearest: f32) -> Self {
+        let origin = cloud.origin();
+        let now = (eye - origin).as_vec3();
+        Self { now, before: before.map_or(now, |before| (before - origin).as_vec3()), nearest }
     }
 
     /// Whether some sprite may be within its shell.
-    fn is_near(&self, cloud: &PlacedCloud) -> bool {
-        (self.now - cloud.center).length() < cloud.radius + lock_reach(cloud.largest) + self.nearest
+    fn is_near(&self, cloud: &CloudNow<'_>) -> bool {
+        let reach = cloud.placed.radius * cloud.stretch() + lock_reach(cloud.placed.largest);
+        (self.now - cloud.center_now()).length() < reach + self.nearest
     }
 
     /// Whether some sprite may be near straight above or below the eye: the cone around the pole, widened by the sphere
     /// that holds the centres.
-    fn is_polar(&self, cloud: &PlacedCloud) -> bool {
-        let center = self.now - cloud.center;
+    fn is_polar(&self, cloud: &CloudNow<'_>) -> bool {
+        let (center, radius) = (self.now - cloud.center_now(), cloud.placed.radius * cloud.stretch());
         let across = glam::Vec2::new(center.x, center.z).length();
-        across - cloud.radius < POLAR_TANGENT * (center.y.abs() + cloud.radius)
+        across - radius < POLAR_TANGENT * (center.y.abs() + radius)
     }
 
     /// Steps each sprite that is remembered or has to be; `keeps` tells whether it needs to be remembered further.
     fn each(
         &self,
-        cloud: &PlacedCloud,
+        cloud: &CloudNow<'_>,
         before: &[Remembered],
         rule: &FacingRule,
         (polar_too, camera_up): (bool, Vec3),
         mut found: impl FnMut(Remembered, bool),
     ) {
         let mut before = before.iter().peekable();
-        for (sprite, index) in cloud.sprites.iter().zip(0..) {
+        for (sprite, index) in cloud.placed.sprites.iter().zip(0..) {
             let remembered = before.next_if(|remembered| remembered.sprite == index);
-            let to_eye = self.now - sprite.position;
+            let position = cloud.position_now(sprite);
+            let to_eye = self.now - position;
             let distance_squared = to_eye.length_squared();
             let shell = rule.reach * lock_distance(sprite.radius());
             let within = |distance: f32| distance_squared < distance * distance;
@@ -147,7 +150,7 @@ impl ToEye {
             if !turns && remembered.is_none() {
                 continue;
             }
-            let past = remembered.copied().unwrap_or_else(|| self.past(sprite, index, camera_up));
+            let past = remembered.copied().unwrap_or_else(|| self.past(position, index, camera_up));
             let faced = if within(shell) { past.faced } else { unit_or(to_eye, past.faced) };
             let Locked { towards, fade } = (rule.turn)(to_eye, faced, lock_distance(sprite.radius()));
             let up = upright::carry(past.pose.up, past.pose.towards, towards);
@@ -157,8 +160,8 @@ impl ToEye {
     }
 
     /// What there would be to remember of a sprite that was far from the eye at the last step.
-    fn past(&self, sprite: &Sprite, index: u32, camera_up: Vec3) -> Remembered {
-        let pose = Pose::facing_eye(sprite.position - self.before, camera_up);
+    fn past(&self, position: Vec3, index: u32, camera_up: Vec3) -> Remembered {
+        let pose = Pose::facing_eye(position - self.before, camera_up);
         Remembered { sprite: index, faced: pose.towards, pose }
     }
 }

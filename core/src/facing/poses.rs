@@ -3,8 +3,8 @@
 use super::lock::{near_fade, near_reach};
 use super::{FacingMemory, FacingRule, Pose};
 use crate::camera::View;
-use crate::sprites::PlacedCloud;
 use crate::version::Version;
+use crate::weather::CloudNow;
 use rayon::prelude::*;
 
 /// A sprite's pose.
@@ -27,7 +27,7 @@ impl Poses {
     /// afar faces the eye.
     pub fn new(
         rule: &FacingRule,
-        clouds: &[PlacedCloud],
+        clouds: &[CloudNow<'_>],
         version: Version,
         view: &View,
         memory: &FacingMemory,
@@ -37,10 +37,11 @@ impl Poses {
         }
         let reach = near_reach(view);
         let known = memory.knows(version);
-        let of_cloud = |(index, cloud): (usize, &PlacedCloud)| {
+        let of_cloud = |(index, cloud): (usize, &CloudNow<'_>)| {
             let mut posed = Vec::new();
             memory.poses_of(rule, (index as u32, cloud), known, view, 2.0 * reach, |sprite, mut pose| {
-                let to_eye = (view.eye - cloud.origin).as_vec3() - cloud.sprites[sprite as usize].position;
+                let to_eye =
+                    (view.eye - cloud.origin()).as_vec3() - cloud.position_now(&cloud.placed.sprites[sprite as usize]);
                 pose.fade *= near_fade(pose.towards.dot(to_eye), reach);
                 posed.push(Posed { sprite, pose });
             });
@@ -69,7 +70,7 @@ impl Poses {
 }
 
 /// Every sprite across the view direction.
-fn in_view_plane(cloud: &PlacedCloud, view: &View) -> Vec<Posed> {
+fn in_view_plane(cloud: &CloudNow<'_>, view: &View) -> Vec<Posed> {
     let pose = Pose { towards: -view.forward, up: view.up, fade: 1.0 };
-    (0..cloud.sprites.len() as u32).map(|sprite| Posed { sprite, pose }).collect()
+    (0..cloud.placed.sprites.len() as u32).map(|sprite| Posed { sprite, pose }).collect()
 }

@@ -61,8 +61,9 @@ impl Playback {
             };
         }
         while self.steps < wanted {
-            let view = View::new(&self.curve.camera_at(self.steps as f64 * STEP_S), 1, 1);
-            Arc::make_mut(&mut self.history).step(&self.rules, derived, &view);
+            let clock_s = self.steps as f64 * STEP_S;
+            let view = View::new(&self.curve.camera_at(clock_s), 1, 1);
+            Arc::make_mut(&mut self.history).step(&self.rules, derived, clock_s, &view);
             if self.steps.is_multiple_of(KEPT_EVERY) && self.kept.len() == self.steps / KEPT_EVERY {
                 self.kept.push(Arc::clone(&self.history));
             }

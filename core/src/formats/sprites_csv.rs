@@ -4,11 +4,10 @@
 
 use super::sprites_json::Shaded;
 use crate::color::Rgba;
-use crate::draw_list::eye_offset;
 use crate::facing::{Pose, corners};
 use crate::shading::corner_light;
 use crate::sprites::PlacedCloud;
-use crate::weather::Formed;
+use crate::weather::{CloudNow, FormingRule};
 use std::fmt::Write;
 
 const CORNER_NAMES: [&str; 4] = ["top_left", "top_right", "bottom_right", "bottom_left"];
@@ -46,10 +45,10 @@ pub fn write(clouds: &[PlacedCloud], shaded: Option<Shaded<'_>>) -> String {
                 group.key
             );
             if let Some(Shaded { view, light, clock_s }) = shaded {
-                let pose = Pose::still(eye_offset(cloud, view) + sprite.position, sprite.radius(), view);
-                let formed = Formed::at(cloud.formation.as_ref(), clock_s);
+                let now = CloudNow::at(cloud, clock_s, FormingRule::ClosedForm);
+                let pose = Pose::still(now.from_eye(view.eye) + sprite.position, sprite.radius(), view);
                 for point in corners(sprite.position, pose.facing(sprite.rotation), sprite.width, sprite.height) {
-                    let Rgba { rgb, a } = corner_light(point, cloud, group, light, &formed).color();
+                    let Rgba { rgb, a } = corner_light(point, &now, group, light).color();
                     let _ = write!(out, ",{},{},{},{}", rgb.r, rgb.g, rgb.b, a * pose.fade);
                 }
             }

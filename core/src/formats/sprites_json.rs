@@ -10,7 +10,7 @@ use crate::facing::{Pose, corners};
 use crate::scene::{BoxId, ColorLevel};
 use crate::shading::corner_light;
 use crate::sprites::{Group, PlacedCloud, Sprite};
-use crate::weather::{Formed, Light};
+use crate::weather::{CloudNow, FormingRule, Light};
 use glam::{DVec3, Vec3};
 use serde::Serialize;
 use serde_json::to_value;
@@ -139,11 +139,11 @@ fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<Shaded<'_>>) 
 
 fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, shaded: Shaded<'_>) -> [CornerOut; 4] {
     let Shaded { view, light, clock_s } = shaded;
-    let center = crate::draw_list::eye_offset(cloud, view) + sprite.position;
+    let now = CloudNow::at(cloud, clock_s, FormingRule::ClosedForm);
+    let center = now.from_eye(view.eye) + sprite.position;
     let pose = Pose::still(center, sprite.radius(), view);
-    let formed = Formed::at(cloud.formation.as_ref(), clock_s);
     corners(sprite.position, pose.facing(sprite.rotation), sprite.width, sprite.height).map(|point| {
-        let mut lit = corner_light(point, cloud, group, light, &formed);
+        let mut lit = corner_light(point, &now, group, light);
         lit.ambient.a *= pose.fade;
         CornerOut {
             position: in_world(cloud, point),

@@ -2,7 +2,7 @@
 //!
 //! [`fast`] draws in sorted order, in tiles on all cores, front to back, and stops where nothing more shows through.
 //! [`plain`] draws the same one fragment at a time and is its oracle. [`truth`] orders every ray's own fragments and
-//! is what error figures are measured against. All three share [`prepare()`]'s sprites on the screen and one definition
+//! is what error figures are measured against. All three share sprites on the screen ([`prepare()`]) and one definition
 //! of a fragment ([`ScreenSprite::fragment`]).
 
 pub(crate) mod bins;
@@ -11,7 +11,7 @@ pub mod plain;
 mod prepare;
 pub mod truth;
 
-pub use prepare::{Hit, Linear, ScreenSprite, prepare, trilinear};
+pub use prepare::{Hit, Linear, ScreenSprite, prepare, prepare_unfaded, trilinear};
 
 use crate::frame::Frame;
 use crate::image::{LinearPicture, Picture};

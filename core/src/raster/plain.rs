@@ -50,5 +50,5 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
 
 /// The frame as a display shows it.
 pub fn picture(frame: &Frame<'_>) -> Picture {
-    develop(&linear_picture(frame), frame.exposure)
+    develop(&linear_picture(frame), frame.now.exposure)
 }

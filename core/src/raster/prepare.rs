@@ -6,7 +6,7 @@
 
 use crate::camera::{NEAR_M, View};
 use crate::color::Premultiplied;
-use crate::draw_list::{DrawSprite, eye_offset};
+use crate::draw_list::DrawSprite;
 use crate::facing::corners;
 use crate::frame::Frame;
 use crate::rules::Filter;
@@ -79,27 +79,43 @@ pub struct Hit {
     pub depth: f32,
 }
 
-/// The frame's sprites on the screen, back to front as in its list.
+/// The frame's sprites on the screen, back to front as in its list, each faded as its run is.
 pub fn prepare(frame: &Frame<'_>) -> Vec<ScreenSprite> {
-    let dome = DomeTables::new(&frame.background.dome);
-    frame.list.sprites.par_iter().with_min_len(256).map(|drawn| screen_sprite(frame, &dome, drawn)).collect()
+    let mut on_screen = Vec::with_capacity(frame.list.sprites.len());
+    for (sprites, fade) in frame.list.sprite_runs() {
+        put_on_screen(frame, sprites, fade, &mut on_screen);
+    }
+    on_screen
 }
 
-fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite) -> ScreenSprite {
+/// The same, each as if it were drawn alone: no run fades it.
+pub fn prepare_unfaded(frame: &Frame<'_>) -> Vec<ScreenSprite> {
+    let mut on_screen = Vec::new();
+    put_on_screen(frame, &frame.list.sprites, 1.0, &mut on_screen);
+    on_screen
+}
+
+fn put_on_screen(frame: &Frame<'_>, sprites: &[DrawSprite], fade: f32, on_screen: &mut Vec<ScreenSprite>) {
+    let dome = DomeTables::new(&frame.background.dome);
+    on_screen.par_extend(sprites.par_iter().with_min_len(256).map(|drawn| screen_sprite(frame, &dome, drawn, fade)));
+}
+
+fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite, fade: f32) -> ScreenSprite {
     let view = &frame.view;
-    let cloud = &frame.clouds[drawn.cloud as usize];
-    let sprite = &cloud.sprites[drawn.sprite as usize];
+    let cloud = &frame.now.clouds[drawn.cloud as usize];
+    let sprite = &cloud.placed.sprites[drawn.sprite as usize];
     let pose = frame.list.pose(drawn, view);
     let facing = pose.facing(sprite.rotation);
     let quad = corners(drawn.center, facing, sprite.width, sprite.height);
 
-    let offset = eye_offset(cloud, view);
-    let (group, formed) = (&cloud.groups[sprite.group as usize], frame.formed(drawn.cloud));
+    // Light is taken where the sprite is at rest.
+    let rest = cloud.from_eye(view.eye) + cloud.moved(sprite);
+    let group = &cloud.placed.groups[sprite.group as usize];
     let hazed = haze_share(drawn.center.length(), frame.background.haze_length_m);
     let haze_color = dome.horizon(drawn.center);
     let lit = quad.map(|corner| {
-        let color = corner_light(corner - offset, cloud, group, &frame.light, formed).color();
-        (color.rgb * (1.0 - hazed), color.a * pose.fade)
+        let color = corner_light(corner - rest, cloud, group, &frame.now.light).color();
+        (color.rgb * (1.0 - hazed), color.a * pose.fade * fade)
     });
 
     let anchor = view.project(drawn.center).map_or(Vec2::new(view.width as f32, view.height as f32) * 0.5, Vec2::floor);

@@ -2,11 +2,11 @@
 //!
 //! Sprites that face the eye cross one another, so no order of whole sprites is right for every pixel. Here each pixel
 //! has `side` × `side` samples; at each, the fragments are sorted by their own depth along the ray (ties by the
-//! sprite's place in the scene) and blended in f32, all that a f32 can tell. Texels are filtered for the sample's footprint.
+//! sprite's place in the scene) and blended in f32, all that a f32 can tell. Of a list's runs it takes the sprites, unfaded. Texels are filtered for the sample's footprint.
 
 use super::bins::{TILE, assemble, map_tiles};
 use super::plain::put_behind;
-use super::{Hit, ScreenSprite, prepare};
+use super::{Hit, ScreenSprite, prepare_unfaded};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture};
@@ -32,7 +32,7 @@ pub fn linear_picture(frame: &Frame<'_>, side: u32, watch: &Watch) -> LinearPict
 /// one). Once `watch` is cancelled, the rest stays black.
 pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, watch: &Watch) -> (LinearPicture, Layer) {
     let (width, height) = (frame.view.width, frame.view.height);
-    let sprites = prepare(frame);
+    let sprites = prepare_unfaded(frame);
     let places = places_in_scene(frame);
     let (done, count) =
         (AtomicUsize::new(0), width.div_ceil(TILE as u32) as usize * height.div_ceil(TILE as u32) as usize);

@@ -10,8 +10,8 @@ pub use veil::{Veil, veil};
 use crate::color::{Rgb, Rgba};
 use crate::math::unit_or;
 use crate::scene::ColorLevels;
-use crate::sprites::{Group, PlacedCloud};
-use crate::weather::{Formed, Light};
+use crate::sprites::Group;
+use crate::weather::{CloudNow, Light};
 use glam::Vec3;
 
 /// The light at one corner, linear, straight.
@@ -32,11 +32,12 @@ impl CornerLight {
     }
 }
 
-/// The light at `point`, which counts from the cloud's origin, for a sprite of `group` in a cloud that is `formed` so far.
-pub fn corner_light(point: Vec3, cloud: &PlacedCloud, group: &Group, light: &Light, formed: &Formed) -> CornerLight {
-    let height = cloud.height_of(point.y);
-    let level = level_color(&cloud.color_levels, height);
-    let opacity = formed.opacity(cloud.radii_of(point));
+/// The light at `point`, which counts from the cloud's origin and is at rest, for a sprite of `group`.
+pub fn corner_light(point: Vec3, cloud: &CloudNow<'_>, group: &Group, light: &Light) -> CornerLight {
+    let placed = cloud.placed;
+    let height = placed.height_of(point.y);
+    let level = level_color(&placed.color_levels, height);
+    let opacity = cloud.opacity_at(placed.radii_of(point));
     CornerLight {
         height,
         ambient: Rgba {

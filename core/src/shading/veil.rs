@@ -11,8 +11,8 @@ use crate::camera::View;
 use crate::color::{Premultiplied, Rgb};
 use crate::draw_list::Hidden;
 use crate::facing::{Poses, lock_reach};
-use crate::sprites::{Atlas, PlacedCloud};
-use crate::weather::{Formed, Light};
+use crate::sprites::Atlas;
+use crate::weather::{CloudNow, Light};
 
 /// Before the eye, in every direction alike.
 pub type Veil = Premultiplied;
@@ -24,7 +24,7 @@ const BEFORE_THE_EYE: f32 = 0.5;
 
 /// The veil around the eye of `view`. `density` scales its optical depth: 0 for none, 1 as dense as the sprites.
 pub fn veil(
-    (clouds, formed, poses): (&[PlacedCloud], &[Formed], &Poses),
+    (clouds, poses): (&[CloudNow<'_>], &Poses),
     (view, light, atlas, hidden): (&View, &Light, &Atlas, &Hidden),
     density: f32,
 ) -> Veil {
@@ -32,19 +32,19 @@ pub fn veil(
     if density <= 0.0 {
         return Veil::CLEAR;
     }
-    for (index, cloud) in clouds.iter().enumerate().filter(|(_, cloud)| !hidden.clouds.contains(&cloud.id)) {
-        let formed = formed.get(index).unwrap_or(&Formed::WHOLE);
-        let eye = (view.eye - cloud.origin).as_vec3();
+    for (index, cloud) in clouds.iter().enumerate().filter(|(_, cloud)| !hidden.clouds.contains(&cloud.placed.id)) {
+        let eye = (view.eye - cloud.origin()).as_vec3();
         for posed in poses.of_cloud(index) {
-            let sprite = &cloud.sprites[posed.sprite as usize];
+            let sprite = &cloud.placed.sprites[posed.sprite as usize];
             let gone = 1.0 - posed.pose.fade;
             if gone <= 0.0
-                || sprite.position.distance(eye) > lock_reach(sprite.radius())
+                || cloud.position_now(sprite).distance(eye) > lock_reach(sprite.radius())
                 || hidden.boxes.contains(&sprite.box_id)
             {
                 continue;
             }
-            let color = corner_light(eye, cloud, &cloud.groups[sprite.group as usize], light, formed).color();
+            let group = &cloud.placed.groups[sprite.group as usize];
+            let color = corner_light(eye - cloud.moved(sprite), cloud, group, light).color();
             let opacity = (color.a * atlas.mean_opacity(sprite.tile.into())).min(MOST_OPAQUE);
             let share = -libm::log1pf(-opacity) * BEFORE_THE_EYE * gone;
             depth += share;

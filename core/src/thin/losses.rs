@@ -57,7 +57,7 @@ fn added(frame: &Frame<'_>) -> Vec<f32> {
     for (sprite, sum) in tiles.into_iter().flat_map(|(_, sums)| sums) {
         losses[sprite as usize] += sum;
     }
-    let scale = frame.exposure / (width as f32 * height as f32);
+    let scale = frame.now.exposure / (width as f32 * height as f32);
     losses.into_iter().map(|loss| loss * scale).collect()
 }
 

@@ -13,7 +13,7 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
     let bytes = Bytes::new();
     let background = |i: u32| {
         let ray = frame.view.ray((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
-        bytes.stored(frame.background.color(ray, frame.view.pixel()) * frame.exposure)
+        bytes.stored(frame.background.color(ray, frame.view.pixel()) * frame.now.exposure)
     };
     let sprites = prepare(frame);
     let tiles = map_tiles(&sprites, width, height, |rect, members| {
@@ -23,8 +23,8 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
                 let sprite = &sprites[member as usize];
                 Some(sprite.fragment(frame.atlas, x as f32 + 0.5, y as f32 + 0.5, |_| sprite.mip)?.0)
             });
-            let over = |behind, fragment| bytes.blended(fragment, behind, frame.exposure);
-            shown.chain([frame.veil]).fold(background(y * width + x), over) * (1.0 / frame.exposure)
+            let over = |behind, fragment| bytes.blended(fragment, behind, frame.now.exposure);
+            shown.chain([frame.veil]).fold(background(y * width + x), over) * (1.0 / frame.now.exposure)
         };
         (0..rect.width * rect.height).map(pixel).collect()
     });

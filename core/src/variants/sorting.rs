@@ -1,8 +1,8 @@
 //! Lazy sorting, as two programs have it: cheap, and late.
 
 use crate::camera::View;
-use crate::draw_list::{LastSort, LazySorting, Ranks, eye_offset};
-use crate::sprites::PlacedCloud;
+use crate::draw_list::{LastSort, LazySorting, Ranks};
+use crate::weather::CloudNow;
 
 /// As SkyWorks does (Harris): anew after 36.9° of turn (a cosine of 0.8) or 10 m of travel.
 pub const SKYWORKS: LazySorting = LazySorting { name: "after 10 m or 36.9°", step: skyworks };
@@ -11,14 +11,14 @@ pub const SKYWORKS: LazySorting = LazySorting { name: "after 10 m or 36.9°", st
 /// to 128.
 pub const SIMGEAR: LazySorting = LazySorting { name: "one bubble pass a frame", step: simgear };
 
-fn skyworks(last: &mut LastSort, ranks: &mut Ranks, clouds: &[PlacedCloud], view: &View) {
+fn skyworks(last: &mut LastSort, ranks: &mut Ranks, clouds: &[CloudNow<'_>], view: &View) {
     if last.forward.dot(view.forward) < 0.8 || last.eye.distance(view.eye) > 10.0 {
         *ranks = Ranks::from_afar(clouds, view);
         *last = LastSort::at(view);
     }
 }
 
-fn simgear(last: &mut LastSort, ranks: &mut Ranks, clouds: &[PlacedCloud], view: &View) {
+fn simgear(last: &mut LastSort, ranks: &mut Ranks, clouds: &[CloudNow<'_>], view: &View) {
     last.waited += 1;
     if last.waited > last.wait {
         last.waited = 0;
@@ -28,12 +28,12 @@ fn simgear(last: &mut LastSort, ranks: &mut Ranks, clouds: &[PlacedCloud], view:
 }
 
 /// One pass from far to near. Whether any two changed places.
-fn bubble(ranks: &mut Ranks, clouds: &[PlacedCloud], view: &View) -> bool {
+fn bubble(ranks: &mut Ranks, clouds: &[CloudNow<'_>], view: &View) -> bool {
     let mut in_order: Vec<(u32, u32, f32)> = vec![(0, 0, 0.0); ranks.of_cloud.iter().map(Vec::len).sum()];
     for (index, (places, cloud)) in ranks.of_cloud.iter().zip(clouds).enumerate() {
-        let offset = eye_offset(cloud, view);
+        let offset = cloud.from_eye(view.eye);
         for (sprite, place) in places.iter().enumerate() {
-            let distance = (offset + cloud.sprites[sprite].position).length_squared();
+            let distance = (offset + cloud.position_now(&cloud.placed.sprites[sprite])).length_squared();
             in_order[*place as usize] = (index as u32, sprite as u32, distance);
         }
     }

@@ -3,6 +3,7 @@
 
 use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::{DrawList, Run};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::scene::{
     BoxId, Camera, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevel, GroupCenter, GroupId, GroupLight,
@@ -10,7 +11,7 @@ use cloudwright_core::scene::{
 };
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::weather::Moment;
+use cloudwright_core::weather::{FormingRule, Moment, SceneNow};
 use glam::{DQuat, DVec3};
 
 /// One picture to draw.
@@ -24,6 +25,10 @@ pub struct Case {
     pub camera: Camera,
     /// Local civil hours.
     pub time_h: f64,
+    /// What else the moment does.
+    pub now: fn(&mut SceneNow<'_>),
+    /// And the list.
+    pub list: fn(&mut DrawList),
 }
 
 const SIZE: [u32; 2] = [192, 128];
@@ -32,12 +37,12 @@ impl Case {
     /// Gives the case's frame to `draw`.
     pub fn with_frame<T>(&self, draw: impl FnOnce(&Frame<'_>) -> T) -> T {
         let derived = Derived::new(&self.scene);
-        draw(&Frame::new(
-            &self.scene,
-            &derived,
-            Atlas::built_in(),
-            &Sight { moment: Moment::at_hour(self.time_h), ..Sight::still(&self.camera, SIZE) },
-        ))
+        let moment = Moment::at_hour(self.time_h);
+        let mut now = SceneNow::new(&self.scene, derived.clouds(), moment, FormingRule::ClosedForm);
+        (self.now)(&mut now);
+        let mut frame = Frame::of(now, &derived, Atlas::built_in(), &Sight::still(&self.camera, SIZE));
+        (self.list)(&mut frame.list);
+        draw(&frame)
     }
 
     /// The same with another camera and another name.
@@ -56,6 +61,8 @@ pub fn cases() -> Vec<Case> {
         scene: clouds(),
         camera: Camera::free(DVec3::new(0.0, 900.0, 1800.0)),
         time_h: 12.0,
+        now: |_| (),
+        list: |_| (),
     };
     let mut dusk = noon.seen("dusk_towards_the_sun", [300.0, 700.0, 1500.0], |camera| camera.heading_deg = -50.0);
     dusk.time_h = 20.6;
@@ -77,6 +84,24 @@ pub fn cases() -> Vec<Case> {
         moved(&noon, "moved_1000_km", DVec3::new(1.0e6, 0.0, -1.0e6)),
         dusk,
         no_ground,
+        Case {
+            name: "carried_grown_and_faded",
+            now: |now| {
+                for (cloud, step) in now.clouds.iter_mut().zip(1..) {
+                    cloud.displacement = DVec3::new(40.0, 25.0, -60.0) * f64::from(step);
+                    (cloud.growth, cloud.opacity) = (1.4, 0.7);
+                }
+            },
+            ..noon.clone()
+        },
+        Case {
+            name: "in_two_runs",
+            list: |list| {
+                let from = list.sprites.len() / 2;
+                list.runs = vec![Run::Sprites { from: 0, fade: 0.4 }, Run::Sprites { from, fade: 0.8 }];
+            },
+            ..noon.seen("in_two_runs", [20.0, 1010.0, -15.0], |camera| camera.heading_deg = 70.0)
+        },
         noon,
     ]
 }

@@ -10,6 +10,7 @@ use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::weather::clouds_now;
 use glam::DVec3;
 
 /// Largest changes of any sprite in one step, for each metre flown, times its lock distance.
@@ -47,7 +48,7 @@ pub fn sprite_changes(scene: &Scene, cameras: &[Camera], rules: &Rules) -> Sprit
     let mut largest = SpriteChanges::default();
     for camera in cameras {
         let view = View::new(camera, 96, 54);
-        history.step(rules, &derived, &view);
+        history.step(rules, &derived, 0.0, &view);
         let now = all_poses(rules, &derived, &view, &history);
         if let Some((eye, then)) = &before {
             let metres = view.eye.distance(*eye) as f32;
@@ -66,7 +67,8 @@ pub fn sprite_changes(scene: &Scene, cameras: &[Camera], rules: &Rules) -> Sprit
 }
 
 fn all_poses(rules: &Rules, derived: &Derived, view: &View, history: &ViewHistory) -> Vec<Pose> {
-    let poses = Poses::new(&rules.facing, derived.clouds(), derived.version(), view, &history.facing);
+    let clouds = clouds_now(derived.clouds(), 0.0, rules.forming);
+    let poses = Poses::new(&rules.facing, &clouds, derived.version(), view, &history.facing);
     let of_cloud = |(index, cloud): (usize, &PlacedCloud)| -> Vec<Pose> {
         let offset = (cloud.origin - view.eye).as_vec3();
         let pose = |(sprite, at): (&Sprite, u32)| {

@@ -66,7 +66,7 @@ impl Stage {
         for look in &self.looks {
             if self.flies {
                 let view = View::new(&look.camera, self.size[0], self.size[1]);
-                Arc::make_mut(&mut history).step(rules, &derived, &view);
+                Arc::make_mut(&mut history).step(rules, &derived, look.clock_s, &view);
             }
             if look.drawn {
                 let sight = Sight {

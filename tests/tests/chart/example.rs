@@ -179,7 +179,7 @@ impl Drawn {
             .iter()
             .map(|example| {
                 if example.family == Truth {
-                    return develop(&truth::linear_picture(&frame, side, &Watch::default()), frame.exposure);
+                    return develop(&truth::linear_picture(&frame, side, &Watch::default()), frame.now.exposure);
                 }
                 let mut frame = frame.clone();
                 (example.spoil)(&mut frame.list.sprites);

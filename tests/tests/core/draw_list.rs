@@ -1,7 +1,7 @@
 //! What is drawn, and in which order.
 
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::{DrawList, DrawSprite, FACES_EYE, Hidden, eye_offset, sort_back_to_front};
+use cloudwright_core::draw_list::{DrawList, DrawSprite, FACES_EYE, Hidden, sort_back_to_front};
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::{fast, plain};
@@ -50,13 +50,13 @@ proptest! {
         let camera = Camera { heading_deg, pitch_deg, roll_deg, field_of_view_deg, ..Camera::free(DVec3::new(x, y, z)) };
         let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(&camera, [90, 40]));
         let cloud = &derived.clouds()[0];
-        let offset = eye_offset(cloud, &frame.view);
+        let offset = (cloud.origin - frame.view.eye).as_vec3();
         let poses = cloud.sprites.iter().map(|s| Pose::still(offset + s.position, s.radius(), &frame.view)).collect();
         let mut all: Vec<DrawSprite> =
             cloud.sprites.iter().zip(0..).map(|(s, sprite)| DrawSprite { cloud: 0, sprite, center: offset + s.position, pose: sprite }).collect();
         sort_back_to_front(&mut all);
         prop_assert!(frame.list.sprites.len() <= all.len());
-        let whole = Frame { list: DrawList { sprites: all, poses }, ..frame.clone() };
+        let whole = Frame { list: DrawList::of_sprites(all, poses), ..frame.clone() };
         // A pose is put together in one way for sprites near the eye and in another for all: some units in the last place.
         let (seen, whole) = (fast::clouds(&frame, NEVER_STOP), fast::clouds(&whole, NEVER_STOP));
         for (a, b) in seen.pixels.iter().zip(&whole.pixels) {

@@ -17,3 +17,4 @@ mod sprites;
 mod suite;
 mod thin;
 mod truth;
+mod weather;

@@ -1,7 +1,7 @@
 //! The table of methods: every row has a name of its own, draws, and is what it says.
 
 use cloudwright_core::derived::Derived;
-use cloudwright_core::detail::{Detail, Kept};
+use cloudwright_core::detail::{Detail, Subset};
 use cloudwright_core::draw::{self, Drawn};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, linear_error};
@@ -13,7 +13,7 @@ use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::variants::{STEPPED_AS_PRINTED, STEPPED_MENDED};
 use cloudwright_core::watch::Watch;
-use cloudwright_core::weather::{Formed, FormingRule, Moment, Stepped};
+use cloudwright_core::weather::{Formed, FormingRule, Moment, Stepped, clouds_now};
 use cloudwright_tests::small_scenes::heap;
 use std::collections::BTreeSet;
 
@@ -74,7 +74,7 @@ fn every_row_draws() {
         assert!(clouds.is_none_or(|clouds| [clouds.width, clouds.height] == SIZE), "{}", method.name);
         // What is shown is what is measured, but for the fast way's roundings: a step of 8 bits.
         let (shown, exposure) = with_frame(method, &scene, &scene.cameras[0], |frame| {
-            (draw::picture(frame, &Watch::default()), frame.exposure)
+            (draw::picture(frame, &Watch::default()), frame.now.exposure)
         });
         let (shown, measured) = (shown.expect("on the CPU"), develop(&linear, exposure));
         let steps = shown.as_bytes().iter().zip(measured.as_bytes()).map(|(a, b)| a.abs_diff(*b));
@@ -116,7 +116,8 @@ fn kept_sprites_are_the_largest() {
     for (share, count) in
         [(0.0, 0), (0.5, cloud.sprites.len().div_ceil(2)), (1.0, cloud.sprites.len()), (7.0, cloud.sprites.len())]
     {
-        let chosen = Kept::new(Detail { kept: share }, all.clouds(), atlas);
+        let chosen =
+            Subset::new(Detail { kept: share }, &clouds_now(all.clouds(), 0.0, FormingRule::ClosedForm), atlas);
         let (kept, dropped): (Vec<_>, Vec<_>) =
             cloud.sprites.iter().zip(0..).partition(|(sprite, at)| chosen.has(0, sprite, *at));
         assert_eq!((kept.len(), chosen.is_all()), (count, share >= 1.0), "{share}");

@@ -5,7 +5,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::scene::{ColorLevel, DailyTable, Sun};
 use cloudwright_core::shading::{corner_light, directional_share, level_color};
 use cloudwright_core::sky::Dome;
-use cloudwright_core::weather::{Formed, Light};
+use cloudwright_core::weather::{CloudNow, Light};
 use cloudwright_tests::small_scenes::heap;
 use glam::Vec3;
 use proptest::prelude::*;
@@ -78,8 +78,12 @@ fn every_corner_of_a_cloud_is_lit_by_both_lights() {
             let mut brightest = 0.0_f32;
             for sprite in cloud.sprites.iter() {
                 let group = &cloud.groups[sprite.group as usize];
-                let lit =
-                    corner_light(sprite.position + Vec3::splat(sprite.radius()), cloud, group, &light, &Formed::WHOLE);
+                let lit = corner_light(
+                    sprite.position + Vec3::splat(sprite.radius()),
+                    &CloudNow::at_rest(cloud),
+                    group,
+                    &light,
+                );
                 let level = level_color(&cloud.color_levels, lit.height);
                 assert!((0.0..=1.0).contains(&lit.height));
                 brightest = brightest.max(lit.directional.g);

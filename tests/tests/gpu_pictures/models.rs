@@ -54,7 +54,7 @@ impl Board {
     }
 
     fn shows(&self, frame: &Frame<'_>, ray: Vec3) -> Rgb {
-        let (light, point) = (&frame.light, ray * self.depth_m);
+        let (light, point) = (&frame.now.light, ray * self.depth_m);
         let sun = light.directional_max * light.sun_direction.dot(Vec3::Z).max(0.0);
         let lit = self.color * (sun + light.ambient_max.rgb * SKY_TO_A_WALL);
         let hazed = haze_share(point.length(), frame.background.haze_length_m);

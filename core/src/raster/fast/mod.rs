@@ -29,11 +29,11 @@ pub fn picture(frame: &Frame<'_>) -> Picture {
 /// As [`picture`], with pixels done when less than `stop_below` gets through ([`crate::rules::NEVER_STOP`]: never).
 pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
     if frame.fading.is_some() {
-        return develop(&linear_picture_stopping(frame, stop_below), frame.exposure);
+        return develop(&linear_picture_stopping(frame, stop_below), frame.now.exposure);
     }
     let background = BackgroundRows::new(&frame.background, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [[u8; 4]]| {
-        let exposed = over_background(&background, (rect, row), clouds, stop_below, frame.exposure);
+        let exposed = over_background(&background, (rect, row), clouds, stop_below, frame.now.exposure);
         encode_row(&exposed, rect.left, rect.top + row, out);
     };
     let pixels = draw(&Brush::new(frame.atlas), frame, stop_below, [0; 4], finish);

@@ -13,7 +13,7 @@ const FACES_EYE = 0xffffffffu;
 @group(1) @binding(0) var sprite_data: texture_2d<u32>;
 @group(1) @binding(1) var group_data: texture_2d<u32>;
 @group(1) @binding(2) var cloud_data: texture_2d<u32>;
-// Written every frame: of each cloud where it lies from the eye and how far it has formed; the sprites near the eye.
+// Written every frame: of each cloud where it lies from the eye, how far it has formed and how it has grown; the sprites near the eye.
 @group(1) @binding(3) var moment_data: texture_2d<u32>;
 @group(1) @binding(4) var pose_data: texture_2d<u32>;
 
@@ -50,6 +50,8 @@ struct Moment {
     from_eye: vec3f,
     formed_core: f32,
     formed_falloff: f32,
+    growth: f32,
+    opacity: f32,
 }
 
 struct Pose {
@@ -100,7 +102,8 @@ fn load_cloud(index: u32) -> Cloud {
 
 fn load_moment(cloud: u32) -> Moment {
     let first = load(moment_data, cloud * MOMENT_TEXELS);
-    return Moment(first.xyz, first.w, load(moment_data, cloud * MOMENT_TEXELS + 1u).x);
+    let second = load(moment_data, cloud * MOMENT_TEXELS + 1u);
+    return Moment(first.xyz, first.w, second.x, second.y, second.z);
 }
 
 fn load_pose(index: u32) -> Pose {

@@ -1,4 +1,4 @@
-// The sprites: each turned to the eye (the twin of core/src/facing.rs), its corners lit (core/src/shading/), hazed, and
+// The sprites: each turned to the eye (the twin of core/src/facing/), its corners lit (core/src/shading/), hazed, and
 // drawn as ScreenSprite::fragment does (core/src/raster/prepare.rs).
 //
 // What the sprites are is loaded from data textures (cloud_data.wgsl). A vertex is a corner; each of the four computes
@@ -36,7 +36,7 @@ fn place_corner(
     let moment = load_moment(instance.x);
     let sprite = load_sprite(instance.y);
     let group = load_group(sprite.group);
-    let center = moment.from_eye + sprite.position;
+    let center = moment.from_eye + position_now(sprite.position, cloud, moment);
 
     let pose = pose_of(instance.z, center);
     let facing = turned(pose, sprite.rotation);
@@ -137,14 +137,19 @@ fn upright_across(to_eye: vec3f) -> vec3f {
     return unit_or(world * (1.0 - pole) + camera * pole, fallback);
 }
 
-// The light at a point that counts from the cloud's origin: linear rgb, straight; alpha, as far as the cloud has formed.
+// Where a point of the cloud is now (core/src/weather/cloud_now.rs): at rest what is added is zero.
+fn position_now(point: vec3f, cloud: Cloud, moment: Moment) -> vec3f {
+    return point + vec3f(0.0, (point.y - cloud.bottom) * (moment.growth - 1.0), 0.0);
+}
+
+// The light at a point that counts from the cloud's origin and is at rest: linear rgb, straight; alpha, as far as the cloud has formed.
 fn corner_light(point: vec3f, cloud: Cloud, moment: Moment, group: Group) -> vec4f {
     let level = level_color(cloud, height_within(cloud, point.y));
     let directional = frame.directional_max * directional_share(point - group.center, group.c);
     let rgb = level.rgb * frame.ambient_max.rgb + directional;
     let radii = distance(point, cloud.center) * cloud.inverse_radius;
     let formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
-    return vec4f(rgb, clamp(level.a * frame.ambient_max.a, 0.0, 1.0) * formed);
+    return vec4f(rgb, clamp(level.a * frame.ambient_max.a, 0.0, 1.0) * formed * moment.opacity);
 }
 
 // g(d), d the cosine between `outward` and the sun: Cmin at −1, Cmed at 0, Cmax at 1.

@@ -1,0 +1,69 @@
+//! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
+
+use super::{CloudNow, FormingRule, Light, Moment, clouds_now};
+use crate::flight::{PathCurve, PathPoint};
+use crate::scene::{Ground, Scene};
+use crate::sprites::PlacedCloud;
+
+/// A scene at one moment.
+#[derive(Debug, Clone)]
+pub struct SceneNow<'a> {
+    /// Sun, sky's light and time of day.
+    pub light: Light,
+    /// What light is multiplied with before the tone curve.
+    pub exposure: f32,
+    /// How hazy the sky's own light is, 1 to 10.
+    pub turbidity: f32,
+    /// What scales it.
+    pub sky_gain: f32,
+    /// Metres over which 1 − 1/e of a colour turns to the horizon's.
+    pub haze_length_m: f32,
+    /// How dense the air inside a cloud looks, 1 as its sprites.
+    pub inside_density: f32,
+    /// What lies below, if anything.
+    pub ground: Option<Ground>,
+    /// The clouds, in their order.
+    pub clouds: Vec<CloudNow<'a>>,
+    /// The aircraft that have a path, in the scene's order.
+    pub aircraft: Vec<AircraftNow>,
+}
+
+/// An aircraft at one moment.
+#[derive(Debug, Clone, PartialEq)]
+pub struct AircraftNow {
+    /// The file of its shape; none for the built-in one.
+    pub model: Option<String>,
+    /// Where it is, and how it is turned. Before and after its path it stands at the end of it.
+    pub at: PathPoint,
+    /// Metres in the world for a metre of its shape.
+    pub scale: f32,
+}
+
+impl<'a> SceneNow<'a> {
+    /// `scene`, whose placed `clouds` are, at `moment`, where clouds form by that rule. It follows from these alone.
+    pub fn new(scene: &Scene, clouds: &'a [PlacedCloud], moment: Moment, forming: FormingRule) -> Self {
+        let sky = &scene.sky;
+        Self {
+            light: Light::at(scene, moment.time_h.unwrap_or(scene.time_of_day_h)),
+            exposure: libm::exp2(sky.exposure_ev) as f32,
+            turbidity: sky.turbidity as f32,
+            sky_gain: sky.gain as f32,
+            haze_length_m: (sky.haze_length_m as f32).max(1.0),
+            inside_density: sky.inside_density as f32,
+            ground: scene.ground.clone(),
+            clouds: clouds_now(clouds, moment.clock_s, forming),
+            aircraft: aircraft_now(scene, moment.clock_s),
+        }
+    }
+}
+
+fn aircraft_now(scene: &Scene, clock_s: f64) -> Vec<AircraftNow> {
+    let now = scene.aircraft.iter().filter_map(|aircraft| {
+        Some(AircraftNow {
+            model: aircraft.model.clone(),
+            at: PathCurve::new(scene.path(aircraft.path)?).attitude_at(clock_s + aircraft.ahead_s),
+            scale: aircraft.scale as f32,
+        })
+    });
+    now.collect()
+}
