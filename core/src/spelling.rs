@@ -1,19 +1,21 @@
 //! What a misspelt word may have meant.
 
+use std::ops::RangeInclusive;
+
 /// Jaro and Winkler's likeness, 0 to 1, from which on a word is offered: letters swapped, left out or doubled.
 const ALIKE: f64 = 0.75;
 /// Of words that one letter tells apart: of very short ones the measure thinks less.
 const ONE_LETTER_OFF: f64 = 0.9;
-/// Longer words are no misspelt names, letters; to compare them might take for ever.
-const LONGEST: usize = 64;
+/// Shorter words might mean anything; longer ones are no misspelt names, and to compare them might take for ever.
+const LETTERS: RangeInclusive<usize> = 2..=64;
 
 /// The one of `names` that is most like `unknown`, if one is at all.
 pub fn closest<'a>(unknown: &str, names: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
-    if unknown.len() > LONGEST {
+    if !LETTERS.contains(&unknown.len()) {
         return None;
     }
     let likeness = |name: &'a str| {
-        let one_letter_off = unknown.len() > 1 && name.len() > 1 && strsim::osa_distance(unknown, name) == 1;
+        let one_letter_off = name.len() > 1 && strsim::osa_distance(unknown, name) == 1;
         let least = if one_letter_off { ONE_LETTER_OFF } else { 0.0 };
         (strsim::jaro_winkler(unknown, name).max(least), name)
     };
