@@ -48,12 +48,14 @@ impl<'a> Frame<'a> {
     /// take samples.
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
         let now = SceneNow::new(scene, derived.clouds(), sight.moment, sight.rules.forming);
-        Self::of(now, derived, atlas, sight)
+        let frame = Self::of(now, derived, atlas, sight);
+        let models = aircraft_in_view(scene, &sight.meshes, sight.moment.clock_s, frame.view.eye);
+        Self { models, ..frame }
     }
 
-    /// As [`Frame::new`], of a scene `now`, whatever the sight's moment is.
+    /// As [`Frame::new`], but without aircraft, of a scene `now`, whatever the sight's moment is.
     pub fn of(now: SceneNow<'a>, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
-        let Sight { camera, size, hidden, meshes, history, rules, .. } = sight;
+        let Sight { camera, size, hidden, history, rules, .. } = sight;
         let (clouds, clouds_version) = (&now.clouds, derived.version());
         let [width, height] = size.map(|length| length * rules.pixels_a_pixel());
         let view = View::new(camera, width, height);
@@ -73,7 +75,7 @@ impl<'a> Frame<'a> {
             clouds_version,
             atlas,
             rules: *rules,
-            models: aircraft_in_view(&now.aircraft, meshes, view.eye),
+            models: Vec::new(),
             view,
             now,
         }

@@ -1,8 +1,9 @@
 //! Aircraft as one eye sees them at one moment.
 
+use crate::flight::PathCurve;
 use crate::formats::model_glb;
 use crate::model_mesh::ModelMesh;
-use crate::weather::AircraftNow;
+use crate::scene::{Aircraft, Scene};
 use glam::{DVec3, Quat, Vec3};
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
@@ -42,19 +43,23 @@ impl Meshes {
     }
 
     /// That of `aircraft`; the built-in one stands in for a file that isn't here.
-    fn of(&self, aircraft: &AircraftNow) -> Arc<ModelMesh> {
+    fn of(&self, aircraft: &Aircraft) -> Arc<ModelMesh> {
         let own = aircraft.model.as_ref().and_then(|name| self.0.get(name));
         own.map_or_else(Self::built_in, Arc::clone)
     }
 }
 
-/// `aircraft` as seen from `eye`.
-pub fn aircraft_in_view(aircraft: &[AircraftNow], meshes: &Meshes, eye: DVec3) -> Vec<ModelInView> {
-    let in_view = |aircraft: &AircraftNow| ModelInView {
-        mesh: meshes.of(aircraft),
-        from_eye: (aircraft.at.position - eye).as_vec3(),
-        turn: aircraft.at.turn().as_quat(),
-        scale: aircraft.scale,
-    };
-    aircraft.iter().map(in_view).collect()
+/// The aircraft of `scene` as seen from `eye`, `clock_s` into their paths; one that has no path is left out. Before and
+/// after its path an aircraft stands at the end of it.
+pub fn aircraft_in_view(scene: &Scene, meshes: &Meshes, clock_s: f64, eye: DVec3) -> Vec<ModelInView> {
+    let in_view = scene.aircraft.iter().filter_map(|aircraft| {
+        let place = PathCurve::new(scene.path(aircraft.path)?).attitude_at(clock_s + aircraft.ahead_s);
+        Some(ModelInView {
+            mesh: meshes.of(aircraft),
+            from_eye: (place.position - eye).as_vec3(),
+            turn: place.turn().as_quat(),
+            scale: aircraft.scale as f32,
+        })
+    });
+    in_view.collect()
 }

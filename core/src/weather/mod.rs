@@ -1,7 +1,7 @@
 //! A scene at a moment: what the clock, or a look at another hour, makes of it.
 //!
 //! A [`Moment`] is a number of seconds and, if another hour is looked at, that hour. [`SceneNow`] is what a frame is made
-//! from: sky, light, ground and aircraft, and of each cloud a [`CloudNow`]. It is a pure function of the scene and the
+//! from: sky, light and ground, and of each cloud a [`CloudNow`]. It is a pure function of the scene and the
 //! moment: any instant, in any order, and nothing of it touches the document, or what is derived on the edit clock.
 
 mod cloud_now;
@@ -14,4 +14,4 @@ pub use cloud_now::{CloudNow, clouds_now};
 pub use formation::{Formed, FormingRule, Stepped};
 pub use light::{Light, sun_direction};
 pub use moment::Moment;
-pub use scene_now::{AircraftNow, SceneNow};
+pub use scene_now::SceneNow;

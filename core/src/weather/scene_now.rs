@@ -1,7 +1,7 @@
-//! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
+//! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers. (Where aircraft are
+//! follows from their paths, when a frame asks for them.)
 
 use super::{CloudNow, FormingRule, Light, Moment, clouds_now};
-use crate::flight::{PathCurve, PathPoint};
 use crate::scene::{Ground, Scene};
 use crate::sprites::PlacedCloud;
 
@@ -24,19 +24,6 @@ pub struct SceneNow<'a> {
     pub ground: Option<Ground>,
     /// The clouds, in their order.
     pub clouds: Vec<CloudNow<'a>>,
-    /// The aircraft that have a path, in the scene's order.
-    pub aircraft: Vec<AircraftNow>,
-}
-
-/// An aircraft at one moment.
-#[derive(Debug, Clone, PartialEq)]
-pub struct AircraftNow {
-    /// The file of its shape; none for the built-in one.
-    pub model: Option<String>,
-    /// Where it is, and how it is turned. Before and after its path it stands at the end of it.
-    pub at: PathPoint,
-    /// Metres in the world for a metre of its shape.
-    pub scale: f32,
 }
 
 impl<'a> SceneNow<'a> {
@@ -52,18 +39,6 @@ impl<'a> SceneNow<'a> {
             inside_density: sky.inside_density as f32,
             ground: scene.ground.clone(),
             clouds: clouds_now(clouds, moment.clock_s, forming),
-            aircraft: aircraft_now(scene, moment.clock_s),
         }
     }
-}
-
-fn aircraft_now(scene: &Scene, clock_s: f64) -> Vec<AircraftNow> {
-    let now = scene.aircraft.iter().filter_map(|aircraft| {
-        Some(AircraftNow {
-            model: aircraft.model.clone(),
-            at: PathCurve::new(scene.path(aircraft.path)?).attitude_at(clock_s + aircraft.ahead_s),
-            scale: aircraft.scale as f32,
-        })
-    });
-    now.collect()
 }

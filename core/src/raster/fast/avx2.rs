@@ -16,7 +16,7 @@ use std::arch::x86_64::*;
 const WEIGHT_ONE: f32 = 32_767.0;
 
 /// Proof that this processor has AVX2 and FMA, with the atlas to draw with.
-pub struct Avx2Brush<'a> {
+pub struct Avx2Blender<'a> {
     atlas: &'a Atlas,
 }
 
@@ -42,7 +42,7 @@ impl Level {
     }
 }
 
-impl<'a> Avx2Brush<'a> {
+impl<'a> Avx2Blender<'a> {
     /// None on a processor without the instructions.
     pub fn new(atlas: &'a Atlas) -> Option<Self> {
         (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self { atlas })
@@ -53,7 +53,7 @@ impl<'a> Avx2Brush<'a> {
     pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
         let footprints = self.atlas.footprints();
         let (alpha_red, green_blue) = (footprints.alpha_red(sprite.tile), footprints.green_blue(sprite.tile));
-        // SAFETY: a brush exists only where `new` found AVX2 and FMA; the functions need nothing else.
+        // SAFETY: a blender exists only where `new` found AVX2 and FMA; the functions need nothing else.
         #[allow(unsafe_code)]
         unsafe {
             match green_blue {

@@ -7,7 +7,7 @@
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
-mod brush;
+mod blender;
 mod tile;
 
 use super::bins::{TILE, TileRect, assemble, map_tiles};
@@ -18,7 +18,7 @@ use crate::image::{Layer, LinearPicture, Picture};
 use crate::rules::STOP_BELOW;
 use crate::sky::BackgroundRows;
 use crate::tone::{Planes, encode_row};
-use brush::Brush;
+use blender::Blender;
 use tile::{Tile, TileRow};
 
 /// The frame as a display shows it, one sample at each pixel's centre.
@@ -36,7 +36,7 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
         let exposed = over_background(&background, (rect, row), clouds, stop_below, frame.now.exposure);
         encode_row(&exposed, rect.left, rect.top + row, out);
     };
-    let pixels = draw(&Brush::new(frame.atlas), frame, stop_below, [0; 4], finish);
+    let pixels = draw(&Blender::new(frame.atlas), frame, stop_below, [0; 4], finish);
     Picture { width: frame.view.width, height: frame.view.height, pixels }
 }
 
@@ -58,32 +58,32 @@ fn linear_in_order(frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
             *pixel = Rgb::new(r[x], g[x], b[x]);
         }
     };
-    let pixels = draw(&Brush::new(frame.atlas), frame, stop_below, Rgb::BLACK, finish);
+    let pixels = draw(&Blender::new(frame.atlas), frame, stop_below, Rgb::BLACK, finish);
     LinearPicture { width: frame.view.width, height: frame.view.height, pixels }
 }
 
 /// The clouds alone.
 pub fn clouds(frame: &Frame<'_>, stop_below: f32) -> Layer {
-    clouds_by(&Brush::new(frame.atlas), frame, stop_below)
+    clouds_by(&Blender::new(frame.atlas), frame, stop_below)
 }
 
 /// The clouds alone, as a processor without wide instructions draws them.
 pub fn clouds_one_by_one(frame: &Frame<'_>, stop_below: f32) -> Layer {
-    clouds_by(&Brush::one_by_one(frame.atlas), frame, stop_below)
+    clouds_by(&Blender::one_by_one(frame.atlas), frame, stop_below)
 }
 
-fn clouds_by(brush: &Brush<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
-    let draw_one = |frame: &Frame<'_>| clouds_in_order(brush, frame, stop_below);
+fn clouds_by(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
+    let draw_one = |frame: &Frame<'_>| clouds_in_order(blender, frame, stop_below);
     faded(frame, draw_one, Layer::mix)
 }
 
-fn clouds_in_order(brush: &Brush<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
+fn clouds_in_order(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
     let finish = |_, _, [r, g, b, through]: &TileRow, out: &mut [Premultiplied]| {
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Premultiplied { r: r[x], g: g[x], b: b[x], a: 1.0 - through[x] };
         }
     };
-    let pixels = draw(brush, frame, stop_below, Premultiplied::CLEAR, finish);
+    let pixels = draw(blender, frame, stop_below, Premultiplied::CLEAR, finish);
     Layer { width: frame.view.width, height: frame.view.height, pixels }
 }
 
@@ -113,7 +113,7 @@ fn over_background(
 
 /// Draws all tiles and turns each row of each into pixels: `finish(tile, row in the tile, the row's clouds, out)`.
 fn draw<P: Copy + Send + Sync>(
-    brush: &Brush<'_>,
+    blender: &Blender<'_>,
     frame: &Frame<'_>,
     stop_below: f32,
     empty: P,
@@ -121,7 +121,7 @@ fn draw<P: Copy + Send + Sync>(
 ) -> Vec<P> {
     let sprites = prepare(frame);
     let tiles = map_tiles(&sprites, frame.view.width, frame.view.height, |rect, members| {
-        let tile = draw_tile(brush, &sprites, rect, (members, frame.veil), stop_below);
+        let tile = draw_tile(blender, &sprites, rect, (members, frame.veil), stop_below);
         let mut out = vec![empty; (rect.width * rect.height) as usize];
         for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
             finish(rect, row, &tile.row(row as usize), line);
@@ -132,7 +132,7 @@ fn draw<P: Copy + Send + Sync>(
 }
 
 fn draw_tile(
-    brush: &Brush<'_>,
+    blender: &Blender<'_>,
     sprites: &[ScreenSprite],
     rect: TileRect,
     (members, veil): (&[u32], Premultiplied),
@@ -140,7 +140,7 @@ fn draw_tile(
 ) -> Tile {
     let mut tile = Tile::veiled(rect, veil);
     for &member in members {
-        brush.draw(&mut tile, rect, &sprites[member as usize], stop_below);
+        blender.draw(&mut tile, rect, &sprites[member as usize], stop_below);
         if tile.is_done() {
             break;
         }

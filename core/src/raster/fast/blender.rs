@@ -5,23 +5,23 @@ use super::super::bins::{TILE, TileRect};
 use super::tile::{LANES, Spans, Tile, bits};
 use crate::sprites::Atlas;
 
-/// Draws sprites with one atlas, in the way that this processor does fastest.
-pub struct Brush<'a> {
+/// Blends sprites of one atlas into tiles, in the way that this processor does fastest.
+pub struct Blender<'a> {
     atlas: &'a Atlas,
     #[cfg(target_arch = "x86_64")]
-    avx2: Option<super::avx2::Avx2Brush<'a>>,
+    avx2: Option<super::avx2::Avx2Blender<'a>>,
 }
 
-impl<'a> Brush<'a> {
+impl<'a> Blender<'a> {
     pub fn new(atlas: &'a Atlas) -> Self {
         Self {
             #[cfg(target_arch = "x86_64")]
-            avx2: super::avx2::Avx2Brush::new(atlas),
+            avx2: super::avx2::Avx2Blender::new(atlas),
             ..Self::one_by_one(atlas)
         }
     }
 
-    /// The brush that any processor has.
+    /// The blender that any processor has.
     pub fn one_by_one(atlas: &'a Atlas) -> Self {
         Self {
             atlas,
