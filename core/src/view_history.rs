@@ -4,6 +4,10 @@
 //! or in a sequence, at any frame rate. A history belongs to a view, never to the scene, and to the rules that its steps
 //! were made by: a view that goes by other ones begins anew.
 
+mod playback;
+
+pub use playback::Playback;
+
 use crate::camera::View;
 use crate::derived::Derived;
 use crate::draw_list::OrderMemory;

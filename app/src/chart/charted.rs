@@ -3,7 +3,6 @@
 use super::subject::Subject;
 use crate::renderer::{RenderError, Renderer};
 use cloudwright_core::draw;
-use cloudwright_core::flight::Playback;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::{Layer, LinearPicture, Picture};
 use cloudwright_core::measure::Counts;
@@ -11,7 +10,7 @@ use cloudwright_core::method::Method;
 use cloudwright_core::raster::develop;
 use cloudwright_core::rules::Rasterizer;
 use cloudwright_core::sight::Sight;
-use cloudwright_core::view_history::STEP_S;
+use cloudwright_core::view_history::{Playback, STEP_S};
 use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::Moment;
 use cloudwright_render::AdapterChoice;

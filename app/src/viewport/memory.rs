@@ -8,12 +8,11 @@
 use crate::state::Reading;
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::flight::Playback;
 use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, CameraPath};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::version::Version;
-use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::view_history::{Playback, ViewHistory};
 use cloudwright_core::weather::Moment;
 use glam::DVec3;
 use std::sync::Arc;

@@ -2,17 +2,15 @@
 //! and timed anew.
 //!
 //! All is in closed form of the time since the path's first key: any instant can be asked for, in any order. Only what
-//! the view remembers of its way is not, and is made in fixed steps ([`Playback`]).
+//! a view remembers of its way is not, and is made in fixed steps ([`crate::view_history::Playback`]).
 
 mod attitude;
 mod curve;
-mod playback;
 mod record;
 mod retime;
 mod spline;
 
 pub use attitude::{MAX_BANK_DEG, STANDSTILL_MPS};
 pub use curve::{PathCurve, PathPoint, SHORTEST_LEG_S};
-pub use playback::Playback;
 pub use record::keys_from_samples;
 pub use retime::{leg_speed_mps, with_speed_from};

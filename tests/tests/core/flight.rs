@@ -5,7 +5,6 @@ use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::facing::FacingRule;
-use cloudwright_core::flight::Playback;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::method::{METHODS, Method, shipped, truth};
@@ -16,7 +15,7 @@ use cloudwright_core::scene::{Camera, CameraPath, Formation, FormationChange, Pa
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::variants::{Listing, SteppedFade};
-use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::view_history::{Playback, ViewHistory};
 use cloudwright_core::weather::{Formed, Moment};
 use cloudwright_tests::small_scenes::heap;
 use cloudwright_tests::suite::heap_flights::through;

@@ -4,13 +4,13 @@
 //! is drawn alone or in a sequence, at any frame rate (MODEL §4). Going on costs the steps between; going back starts
 //! from the nearest earlier state kept, one for every ten seconds flown.
 
-use super::PathCurve;
+use super::{STEP_S, ViewHistory};
 use crate::camera::View;
 use crate::derived::Derived;
+use crate::flight::PathCurve;
 use crate::rules::Rules;
 use crate::scene::{Camera, CameraPath};
 use crate::version::Version;
-use crate::view_history::{STEP_S, ViewHistory};
 use std::sync::Arc;
 
 /// Steps between two states that are kept: ten seconds.
