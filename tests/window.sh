@@ -93,3 +93,14 @@ after=$(boxes "$scene")
 [ "$after" != "$before" ] || { echo "no box in the saved file ($before): see $out/placing_after.png"; exit 1; }
 "$program" check "$scene" || { echo "the saved scene has problems"; exit 1; }
 echo "a box was placed and saved: $before became $after"
+
+# What is unsaved survives the end of the program: a second after the change, and told to end.
+open "$scene" 1280 800
+look keeping.png
+xdotool key --window "$window" ctrl+a ctrl+d
+sleep 1
+close
+kept=$(cat "$XDG_STATE_HOME"/cloudwright/recovery/*.rescue | grep -o '\\"model\\":' | wc -l)
+saved=$(grep -o '"model":' "$scene" | wc -l)
+[ "$kept" -gt "$saved" ] || { echo "a cloud more than the $saved saved was not kept, but $kept"; exit 1; }
+echo "unsaved work was kept: $kept clouds, $saved saved"

@@ -6,3 +6,93 @@ pub(crate) fn fail_at_the_size_limit() {
     #[cfg(unix)]
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
 }
+
+/// Has `last` done, on a thread of its own, when the program is told to end (SIGTERM, SIGINT, SIGHUP); then it ends as it
+/// would have by itself. Told a second time, it ends at once. What it was started to ignore it still ignores.
+///
+/// # Errors
+/// If the system gives no thread or no pipe.
+#[cfg(unix)]
+pub(crate) fn before_the_end(last: impl FnOnce() + Send + 'static) -> std::io::Result<()> {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use signal_hook::iterator::Signals;
+    use signal_hook::{flag, low_level};
+    use std::sync::Arc;
+    use std::sync::atomic::AtomicBool;
+
+    let ignored = crate::storage::ignored_signals();
+    let heard: Vec<i32> =
+        [SIGTERM, SIGINT, SIGHUP].into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0).collect();
+    let told = Arc::new(AtomicBool::new(false));
+    for &signal in &heard {
+        // In this order: the first time, the flag is set too late to end the program.
+        flag::register_conditional_default(signal, Arc::clone(&told))?;
+        flag::register(signal, Arc::clone(&told))?;
+    }
+    let mut signals = Signals::new(&heard)?;
+    let wait = move || {
+        if let Some(signal) = signals.forever().next() {
+            last();
+            let _ = low_level::emulate_default_handler(signal);
+        }
+    };
+    std::thread::Builder::new().name("signals".into()).spawn(wait).map(drop)
+}
+
+/// Elsewhere a program is told to end by its window alone.
+///
+/// # Errors
+/// None.
+#[cfg(not(unix))]
+pub(crate) fn before_the_end(_last: impl FnOnce() + Send + 'static) -> std::io::Result<()> {
+    Ok(())
+}
+
+#[cfg(all(test, unix))]
+mod tests {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    use std::os::unix::process::ExitStatusExt;
+    use std::path::Path;
+    use std::process::Command;
+
+    /// Where the child is told what to do last; unset in the parent.
+    const CHILD_FILE: &str = "CLOUDWRIGHT_TEST_WRITES_LAST";
+    const CHILD_SIGNAL: &str = "CLOUDWRIGHT_TEST_SIGNAL";
+
+    /// Not a test of its own: a program that is told to end. It ends by itself only where it ignores that.
+    #[test]
+    fn child() {
+        let Some(file) = std::env::var_os(CHILD_FILE) else { return };
+        let signal: i32 = std::env::var(CHILD_SIGNAL).expect("set").parse().expect("a number");
+        let last = move || crate::storage::write_atomic(Path::new(&file), b"done").expect("writable");
+        super::before_the_end(last).expect("a thread");
+        signal_hook::low_level::raise(signal).expect("a signal");
+        let wait_s = if crate::storage::ignored_signals() == 0 { 60 } else { 1 };
+        std::thread::sleep(std::time::Duration::from_secs(wait_s));
+    }
+
+    /// How the child ends by a signal, and whether it did the last thing.
+    fn end(folder: &Path, signal: i32, wrapper: &str) -> (Option<i32>, bool) {
+        let file = folder.join(format!("{signal}{wrapper}"));
+        let this = std::env::current_exe().expect("this test");
+        let words = format!("{wrapper} exec \"$0\" --exact signals::tests::child --test-threads=1");
+        let status = Command::new("sh")
+            .args(["-c", &words])
+            .arg(this)
+            .envs([(CHILD_FILE, file.as_os_str()), (CHILD_SIGNAL, signal.to_string().as_ref())])
+            .stdout(std::process::Stdio::null())
+            .status()
+            .expect("a shell");
+        (status.signal(), file.exists())
+    }
+
+    #[test]
+    fn the_last_thing_is_done_and_the_signal_ends_the_program() {
+        let folder = tempfile::tempdir().expect("a folder");
+        for signal in [SIGTERM, SIGINT, SIGHUP] {
+            assert_eq!(end(folder.path(), signal, ""), (Some(signal), true));
+        }
+        #[cfg(target_os = "linux")]
+        assert_eq!(end(folder.path(), SIGHUP, "trap '' HUP;"), (None, false), "as by nohup");
+    }
+}

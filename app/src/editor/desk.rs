@@ -1,11 +1,10 @@
-//! What lies around the document: the clerk who writes files, what is remembered for the user, the recovery slot, and
+//! What lies around the document: the clerk who writes files, what is remembered for the user, what is unsaved, and
 //! the file as it was last known. Everything slow goes to the clerk; answers are taken up at the beginning of a frame.
 
 use super::Editor;
-use super::autosave::AutosaveClock;
 use super::dialogs::Dialog;
-use super::done::Done;
-use crate::storage::{Folders, RecoverySlot, Settings, Stamp, StorageError, Watcher};
+use super::done::{Done, unkept};
+use crate::storage::{Folders, RescueWriter, Settings, Stamp, Unsaved, Watcher};
 use crate::worker::InOrder;
 
 /// Files and memory of one editor.
@@ -15,8 +14,10 @@ pub(super) struct Desk {
     settings: Settings,
     pub(super) clerk: InOrder<Done>,
     pub(super) saving: bool,
-    pub(super) slot: Option<RecoverySlot>,
-    pub(super) autosave_clock: AutosaveClock,
+    /// None where there is nothing to rescue to.
+    pub(super) rescue_writer: Option<RescueWriter>,
+    /// What it was given last, as long as the document is modified.
+    pub(super) kept: Option<Unsaved>,
     pub(super) watcher: Option<Watcher>,
     /// The document's file as it was last read or written here; none if there is none.
     pub(super) known: Option<Stamp>,
@@ -25,22 +26,27 @@ pub(super) struct Desk {
 }
 
 impl Desk {
-    /// With what is remembered in `folders`; and a notice if that can't be understood.
-    pub(super) fn new(context: &egui::Context, folders: Option<Folders>) -> (Self, Option<String>) {
+    /// With what is remembered in `folders`; and notices of what can't be understood or done.
+    pub(super) fn new(context: &egui::Context, folders: Option<Folders>) -> (Self, Vec<String>) {
         let (settings, notice) = folders.as_ref().map(Settings::load).unwrap_or_default();
-        let (for_clerk, for_watcher) = (context.clone(), context.clone());
+        let mut notices = Vec::from_iter(notice);
+        let (for_clerk, for_watcher, for_writer) = (context.clone(), context.clone(), context.clone());
+        let start = |folders| RescueWriter::start(folders, move || for_writer.request_repaint());
+        let rescue_writer = folders
+            .clone()
+            .and_then(|folders| start(folders).map_err(|error| notices.push(unkept(&error.to_string()))).ok());
         let desk = Self {
             folders,
             settings,
             clerk: InOrder::start("files", move || for_clerk.request_repaint()),
             saving: false,
-            slot: None,
-            autosave_clock: AutosaveClock::default(),
+            rescue_writer,
+            kept: None,
             watcher: Watcher::start(move || for_watcher.request_repaint()).ok(),
             known: None,
             window_size: None,
         };
-        (desk, notice)
+        (desk, notices)
     }
 
     pub(super) fn folders(&self) -> Option<&Folders> {
@@ -50,15 +56,6 @@ impl Desk {
     /// What is remembered.
     pub(super) fn settings(&self) -> &Settings {
         &self.settings
-    }
-
-    /// This editor's recovery slot, claimed when it is first needed.
-    pub(super) fn slot(&mut self, folders: &Folders) -> Result<&RecoverySlot, StorageError> {
-        let slot = match self.slot.take() {
-            Some(slot) => slot,
-            None => RecoverySlot::claim(folders)?,
-        };
-        Ok(self.slot.insert(slot))
     }
 
     /// Changes what is remembered, here at once and on disk soon.
@@ -78,16 +75,15 @@ impl Desk {
 impl Editor {
     /// Whether files are being written.
     pub fn is_busy(&self) -> bool {
-        self.desk.clerk.is_busy()
+        self.desk.clerk.is_busy() || self.desk.rescue_writer.as_ref().is_some_and(RescueWriter::is_busy)
     }
 
     pub(super) fn take_up_what_is_done(&mut self, context: &egui::Context) {
         while let Some(done) = self.desk.clerk.next_answer() {
             match done {
                 Done::Saved { path, mark, outcome } => self.saved(path, mark, outcome, context),
-                Done::Rescued(Err(error)) => self.tell_error(format!("The work can't be kept for a crash: {error}")),
                 Done::Remembered(Err(error)) => self.tell_error(format!("The settings can't be kept: {error}")),
-                Done::Rescued(Ok(())) | Done::Remembered(Ok(())) => {}
+                Done::Remembered(Ok(())) => {}
                 Done::Recent(scenes) => self.dialogs.open(Dialog::Recent(scenes)),
             }
         }
@@ -99,6 +95,7 @@ impl Editor {
             self.desk.remember(move |settings| settings.window_size = Some(size));
         }
         self.drop_rescue();
+        self.desk.rescue_writer = None;
         self.desk.clerk.finish();
     }
 }

@@ -12,8 +12,12 @@ pub(super) enum Done {
         mark: SavedMark,
         outcome: Result<Saved, SaveError>,
     },
-    Rescued(Result<(), StorageError>),
     Remembered(Result<(), StorageError>),
     /// The last scenes, and whether each is still there.
     Recent(Vec<(PathBuf, bool)>),
+}
+
+/// What a user is told at once of unsaved work that can't be kept.
+pub(super) fn unkept(why: &str) -> String {
+    format!("The work can't be kept for a crash: {why}")
 }

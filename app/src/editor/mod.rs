@@ -100,7 +100,7 @@ impl Editor {
     pub fn new(context: &egui::Context, start: Start) -> Self {
         let Start { scene: path, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
-        let (desk, notice) = Desk::new(context, folders);
+        let (desk, notices) = Desk::new(context, folders);
         let session = Session::new(starter_scene(), None);
         let mut editor = Self {
             viewport: Viewport::new(context, &session, renderer, device),
@@ -131,7 +131,7 @@ impl Editor {
         if let Some(path) = path {
             editor.open_path(&path);
         }
-        if let Some(notice) = notice {
+        for notice in notices {
             editor.tell_error(notice);
         }
         editor.offer_recovery();
@@ -288,6 +288,7 @@ impl eframe::App for Editor {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
         self.take_up_what_is_done(&context);
+        self.tell_whether_work_is_kept();
         self.answer_file_dialogs(&context);
         self.take_dropped_files(&context);
         self.answer_close_request(&context);
@@ -311,7 +312,7 @@ impl eframe::App for Editor {
         self.show_thinning(&context);
         self.toasts.show(&context);
         self.show_title(&context);
-        self.autosave(&context);
+        self.autosave();
         self.watch_file(&context);
         self.remember_look(&context);
     }

@@ -1,7 +1,9 @@
 //! The native window and its graphics device.
 
+use super::done::unkept;
 use super::{Editor, NativeDialogs, Start};
 use crate::renderer::RendererChoice;
+use crate::signals;
 use crate::storage::{Folders, Settings};
 use cloudwright_render::Gpu;
 use eframe::egui_wgpu::{WgpuSetup, WgpuSetupCreateNew};
@@ -43,8 +45,17 @@ pub fn open_window(scene: Option<&Path>, renderer: RendererChoice) -> Result<(),
         options,
         Box::new(move |creation| {
             let device = creation.wgpu_render_state.clone();
+            let has_folders = folders.is_some();
             let start = Start { scene, renderer, device, file_dialogs: Box::new(NativeDialogs), folders };
-            Ok(Box::new(Editor::new(&creation.egui_ctx, start)))
+            let mut editor = Editor::new(&creation.egui_ctx, start);
+            if !has_folders {
+                editor.tell_error(unkept("there is no home folder to keep it in"));
+            }
+            if let Some(last_call) = editor.last_call() {
+                // Without it, half a second's work may be lost.
+                let _ = signals::before_the_end(last_call);
+            }
+            Ok(Box::new(editor))
         }),
     )
 }

@@ -123,6 +123,11 @@ impl Session {
         (Arc::clone(&self.shown), Arc::clone(&self.derived), self.beside.clone())
     }
 
+    /// The scene as the last undo point left it, shared; none while a gesture is open.
+    pub(crate) fn settled(&self) -> Option<Arc<Scene>> {
+        (self.is_sound && !self.document.is_open()).then(|| Arc::clone(&self.shown))
+    }
+
     /// One undo point from beginning to end.
     pub(crate) fn edit(&mut self, name: &str, edits: Vec<Edit>) -> Result<(), EditError> {
         self.commit()?;

@@ -13,6 +13,7 @@ mod folders;
 mod leftover;
 mod ordinary;
 mod recovery;
+mod rescue_writer;
 mod settings;
 mod stamp;
 mod watcher;
@@ -23,6 +24,7 @@ pub use file_id::FileId;
 pub use folder::Folder;
 pub use folders::Folders;
 pub use recovery::{Orphan, RecoverySlot, Rescue, orphans};
+pub use rescue_writer::{RescueWriter, Unsaved};
 pub use settings::{Settings, ThemeChoice};
 pub use stamp::Stamp;
 pub use watcher::{Sighting, Watcher};
@@ -69,6 +71,13 @@ pub fn remove_if_there(path: &Path) {
 pub fn names_in(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries.map(|entry| entry.file_name().into()).collect()
+}
+
+/// The signals that this program was started to ignore, a bit for each from 1; none where the system doesn't say.
+pub(crate) fn ignored_signals() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap_or_default();
+    let mask = status.lines().find_map(|line| line.strip_prefix("SigIgn:"));
+    mask.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok()).unwrap_or_default()
 }
 
 /// Whether a file is there.

@@ -5,7 +5,7 @@
 //! editor ends, so a slot that can be locked is an orphan. Whoever finds it holds it, and no second editor offers the
 //! same.
 
-use super::{Folders, StorageError, leftover, read, write_atomic};
+use super::{Folders, Stamp, StorageError, leftover, read, write_atomic};
 use serde::{Deserialize, Serialize};
 use std::fs::{self, File};
 use std::path::{Path, PathBuf};
@@ -23,7 +23,10 @@ pub struct Rescue {
     version: u64,
     /// The scene's file, if it has one.
     pub path: Option<PathBuf>,
-    /// When it was kept, milliseconds since 1970, rounded up: no file that it saw was changed later.
+    /// The file as the editor knew it. If it is another one now, it was changed by another program.
+    #[serde(default)]
+    pub known: Option<Stamp>,
+    /// When it was kept, milliseconds since 1970.
     saved_at_ms: u64,
     /// As a scene file says it.
     pub scene: String,
@@ -48,11 +51,12 @@ pub struct Orphan {
 
 impl Rescue {
     /// Of a scene, now. A path that JSON can't say is left out; the scene matters more.
-    pub fn new(path: Option<&Path>, scene: String) -> Self {
+    pub fn new(path: Option<&Path>, known: Option<Stamp>, scene: String) -> Self {
         let path = path.and_then(|path| std::path::absolute(path).ok()).filter(|path| path.to_str().is_some());
         let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
-        let saved_at_ms = u64::try_from(since_1970.as_millis()).unwrap_or(u64::MAX).saturating_add(1);
-        Self { format: FORMAT.into(), version: VERSION, path, saved_at_ms, scene }
+        let saved_at_ms = u64::try_from(since_1970.as_millis()).unwrap_or(u64::MAX);
+        let known = known.filter(Stamp::can_be_said);
+        Self { format: FORMAT.into(), version: VERSION, path, known, saved_at_ms, scene }
     }
 
     /// When it was kept, to a millisecond.
@@ -71,7 +75,7 @@ impl Rescue {
         write_atomic(file, text.as_bytes())
     }
 
-    fn read(file: &Path) -> Result<Self, String> {
+    pub(super) fn read(file: &Path) -> Result<Self, String> {
         let bytes = read(file, MAX_BYTES).map_err(|error| error.to_string())?;
         let rescue: Self = serde_json::from_slice(&bytes).map_err(|error| error.to_string())?;
         if rescue.format == FORMAT && rescue.version == VERSION {
@@ -151,7 +155,7 @@ mod tests {
         assert!(orphans(&folders).is_empty());
         let (first, second) =
             (RecoverySlot::claim(&folders).expect("writable"), RecoverySlot::claim(&folders).expect("writable"));
-        let rescue = Rescue::new(Some(Path::new("/a.cloudscene")), "{}".into());
+        let rescue = Rescue::new(Some(Path::new("/a.cloudscene")), None, "{}".into());
         for slot in [&first, &second] {
             rescue.write(slot.file()).expect("writable");
         }

@@ -1,23 +1,17 @@
 //! Work that a crash would lose. A crash is an editor that is dropped without leaving: its locks go, its files stay.
 
 use crate::Window;
+use cloudwright::command::Command;
 use cloudwright::editor::Reply;
-use cloudwright::opening;
-use cloudwright::storage::Folders;
+use cloudwright::storage::{Folders, Over};
+use cloudwright::{opening, saving};
+use cloudwright_core::formats::scene_file;
+use cloudwright_core::scene::Scene;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers};
 use egui_kittest::kittest::Queryable;
 use std::path::Path;
-
-/// Window seconds after which unsaved work has been kept, in steps.
-const STEPS_UNTIL_KEPT: usize = 20;
-
-impl Window {
-    fn wait_until_kept(&mut self) {
-        self.harness.run_steps(STEPS_UNTIL_KEPT);
-        self.settle();
-    }
-}
+use std::time::{Duration, Instant};
 
 fn kept_count(home: &Path) -> usize {
     let folder = home.join("state/recovery");
@@ -26,6 +20,57 @@ fn kept_count(home: &Path) -> usize {
             .filter(|entry| entry.as_ref().is_ok_and(|e| e.path().extension().is_some_and(|x| x == "rescue")))
             .count()
     })
+}
+
+/// What a crash would leave of the scene at this moment.
+fn kept(home: &Path) -> Option<Scene> {
+    let entries = std::fs::read_dir(home.join("state/recovery")).ok()?;
+    let mut paths = entries.map(|entry| entry.expect("readable").path());
+    let bytes = std::fs::read(paths.find(|path| path.extension().is_some_and(|ending| ending == "rescue"))?).ok()?;
+    let rescue: serde_json::Value = serde_json::from_slice(&bytes).expect("whole");
+    Some(scene_file::read(rescue["scene"].as_str().expect("text").as_bytes()).expect("sound"))
+}
+
+#[test]
+fn work_is_kept_while_it_goes_on() {
+    // A second, and what a busy machine may add.
+    let at_the_latest = Duration::from_secs(3);
+
+    let home = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open_with(Some(Folders::within(home.path())));
+    window.settle();
+    window.press("body");
+    let body = |scene: &Scene| scene.models[0].boxes.iter().find(|each| each.name == "body").cloned();
+    let sprites = |scene: &Scene| body(scene).expect("it stays").sprite_count;
+    let first = sprites(window.scene()) + 1;
+    let mut changed_at = Vec::new();
+    let begin = Instant::now();
+    while begin.elapsed() < at_the_latest + Duration::from_secs(1) {
+        std::thread::sleep(Duration::from_millis(100));
+        let next = first + changed_at.len() as u32;
+        window.node(Role::SpinButton, "Sprites").set_value_accesskit(next.into());
+        window.harness.run_steps(2);
+        assert_eq!(sprites(window.scene()), next);
+        changed_at.push(Instant::now());
+        let kept_count = kept(home.path()).map_or(0, |scene| (sprites(&scene) + 1 - first) as usize);
+        let waiting = changed_at.get(kept_count).map_or(Duration::ZERO, Instant::elapsed);
+        assert!(waiting < at_the_latest, "{kept_count} of {} changes are kept", changed_at.len());
+    }
+}
+
+#[test]
+fn a_gesture_that_goes_on_puts_off_nothing_that_came_before() {
+    let home = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open_with(Some(Folders::within(home.path())));
+    window.settle();
+    window.press("body");
+    window.node(Role::SpinButton, "Sprites").set_value_accesskit(77.0);
+    window.harness.run_steps(2);
+    let before = window.scene().clone();
+    window.command(Command::PlaceMany);
+    assert!(window.session().document().is_open() && window.scene().clouds.len() > before.clouds.len());
+    window.wait("what was done before, and nothing of the gesture", |_| kept(home.path()).as_ref() == Some(&before));
+    assert!(window.session().document().is_open());
 }
 
 #[test]
@@ -40,8 +85,7 @@ fn unsaved_work_comes_back_after_a_crash() {
     let saved = window.scene().clone();
     window.press("body");
     window.set("Sprites", 77.0);
-    assert_eq!(kept_count(home.path()), 0, "not while the hand is still at it");
-    window.wait_until_kept();
+    assert_eq!(kept_count(home.path()), 1);
     let lost = window.scene().clone();
     let mut beside = Window::open_with(folders());
     beside.settle();
@@ -64,6 +108,31 @@ fn unsaved_work_comes_back_after_a_crash() {
 }
 
 #[test]
+fn a_file_that_changed_before_the_crash_is_not_overwritten_after_it() {
+    let home = tempfile::tempdir().expect("a folder");
+    let folders = || Some(Folders::within(home.path()));
+    let path = home.path().join("sky.cloudscene");
+    let mut window = Window::open_with(folders());
+    window.settle();
+    window.answer(Reply::Path(path.clone()));
+    window.press("Save");
+    // Without the focus the window doesn't look at it.
+    window.harness.input_mut().focused = false;
+    let theirs = Scene { name: "theirs".into(), ..window.scene().clone() };
+    saving::save(&theirs, None, &path, Over::Anything).expect("writable");
+    std::thread::sleep(Duration::from_millis(10));
+    window.press("Add camera");
+    drop(window);
+    let mut again = Window::open_with(folders());
+    again.harness.input_mut().focused = false;
+    again.settle();
+    again.press("Recover sky.cloudscene");
+    again.keys(Modifiers::COMMAND, Key::S);
+    assert!(again.shows("another program changed it"));
+    assert_eq!(opening::open_scene(&path).expect("a sound scene"), theirs);
+}
+
+#[test]
 fn recovery_can_wait_or_be_refused() {
     let home = tempfile::tempdir().expect("a folder");
     let folders = || Some(Folders::within(home.path()));
@@ -74,7 +143,6 @@ fn recovery_can_wait_or_be_refused() {
             window.press("Later");
         }
         window.press("Add camera");
-        window.wait_until_kept();
     }
     assert_eq!(kept_count(home.path()), 2);
     let mut window = Window::open_with(folders());
@@ -100,12 +168,10 @@ fn an_end_on_purpose_leaves_nothing() {
     let mut window = Window::open_with(Some(Folders::within(home.path())));
     window.settle();
     window.press("Add camera");
-    window.wait_until_kept();
     assert_eq!(kept_count(home.path()), 1);
     window.keys(Modifiers::COMMAND, Key::Z);
     assert_eq!(kept_count(home.path()), 0, "undone, there is nothing to lose");
     window.press("Add camera");
-    window.wait_until_kept();
     window.keys(Modifiers::COMMAND, Key::Q);
     window.press("Don't save");
     window.harness.state_mut().leave();
@@ -143,7 +209,6 @@ fn where_nothing_can_be_kept_it_is_said_and_work_goes_on() {
     let mut window = Window::open_with(Some(Folders::within(home.path())));
     window.settle();
     window.press("Add camera");
-    window.wait_until_kept();
     assert!(window.shows("can't be kept"));
     window.press("Add camera");
     assert_eq!(window.scene().cameras.len(), 3);
