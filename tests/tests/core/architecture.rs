@@ -81,9 +81,9 @@ const APP: [&[&str]; 9] = [
     &["widget"],
     &["state"],
     &["saving"],
-    &["opening"],
+    &["opening", "signals"],
     &["chart", "command", "storage", "thumbnail"],
-    &["picture_png", "renderer", "signals", "theme", "units", "visible", "worker"],
+    &["picture_png", "renderer", "theme", "units", "visible", "worker"],
 ];
 
 #[test]
