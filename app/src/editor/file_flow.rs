@@ -78,7 +78,7 @@ impl Editor {
         self.viewport.see(&session);
         self.session = session;
         self.desk.known = known;
-        self.time_play.drop_hour();
+        self.time_play.leave();
         self.clock.begin_anew();
         self.recording = None;
         self.charting.forget();

@@ -1,30 +1,32 @@
-//! The time of day from frame to frame, and what becomes of it when it stops.
+//! The hour that is tried out, from frame to frame, and what becomes of it.
 
 use super::Editor;
+use crate::command::Command;
 use cloudwright_core::document::Edit;
 
 impl Editor {
-    /// Starts at the scene's hour; or stops, and the scene's hour is the one that was reached.
+    /// Runs, or stops where it is.
     pub(super) fn toggle_time(&mut self) {
-        if let Some(hour) = self.time_play.stop() {
-            let edit = Edit::TimeOfDay(hour);
-            let done = self.session.edit(&edit.name(), vec![edit]);
-            self.report(done);
-        } else {
-            self.time_play.start(self.session.scene().time_of_day_h);
-        }
+        self.time_play.run_or_stop(self.session.scene().time_of_day_h);
+    }
+
+    /// The hour that is tried out becomes the scene's, as one step.
+    pub(super) fn keep_hour(&mut self) {
+        let Some(hour) = self.time_play.leave() else { return };
+        let done = self.session.edit(Command::KeepHour.row().label(), vec![Edit::TimeOfDay(hour)]);
+        self.report(done);
     }
 
     /// A frame's worth of time; the next frame is asked for only while it runs.
     pub(super) fn run_time(&mut self, context: &egui::Context) {
-        if !self.time_play.is_on() {
-            return;
+        let escape = context.input(|input| input.key_pressed(egui::Key::Escape)) && !self.viewport.has_keys();
+        if self.time_play.runs() && escape {
+            self.time_play.leave();
         }
-        if context.input(|input| input.key_pressed(egui::Key::Escape)) && !self.viewport.has_keys() {
-            self.time_play.drop_hour();
-            return;
+        let seconds = context.input(|input| f64::from(input.stable_dt));
+        self.time_play.advance(seconds, self.session.scene().time_of_day_h);
+        if self.time_play.runs() {
+            context.request_repaint();
         }
-        self.time_play.advance(context.input(|input| f64::from(input.stable_dt)));
-        context.request_repaint();
     }
 }

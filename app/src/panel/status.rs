@@ -1,7 +1,9 @@
 //! The line at the bottom: which renderer draws what, and what it costs.
 
 use super::progress::progress;
+use crate::command::Command;
 use crate::state::{Action, Reading};
+use crate::theme;
 use cloudwright_core::math::clock;
 use egui::{Align, Layout, Ui};
 use std::time::Duration;
@@ -29,7 +31,7 @@ pub(crate) fn status(ui: &mut Ui, reading: &Reading<'_>, drawn: &Drawn, is_savin
         ui.label(format!("{} cloud{}", clouds.len(), if clouds.len() == 1 { "" } else { "s" }));
         ui.label(format!("{kept} / {tried} sprites")).on_hover_text("Kept, and tried before culling.");
         ui.separator();
-        ui.label(clock(reading.hour()));
+        hour(ui, reading);
         if let Some(overdraw) = drawn.overdraw {
             ui.separator();
             ui.label(format!("overdraw {overdraw:.1}")).on_hover_text("Sprites blended on a pixel, in the mean.");
@@ -41,4 +43,17 @@ pub(crate) fn status(ui: &mut Ui, reading: &Reading<'_>, drawn: &Drawn, is_savin
             }
         });
     });
+}
+
+/// The hour that is shown, marked if it is not the scene's.
+fn hour(ui: &mut Ui, reading: &Reading<'_>) {
+    let shown = clock(reading.hour());
+    if reading.time_play.hour().is_none() {
+        ui.label(shown);
+        return;
+    }
+    let scene_hour = clock(reading.session.scene().time_of_day_h);
+    let hint =
+        format!("The scene's hour is {scene_hour}. “{}” makes this one the scene's.", Command::KeepHour.row().label());
+    ui.colored_label(theme::warning(ui), format!("{shown} preview")).on_hover_text(hint);
 }

@@ -15,7 +15,7 @@ pub(crate) struct Reading<'a> {
     pub(crate) view: &'a ViewState,
     /// Pictures of categories, drawn when they are asked for.
     pub(crate) thumbnails: &'a RefCell<Thumbnails>,
-    /// The time of day, if it runs.
+    /// The hour that is tried out, if one is.
     pub(crate) time_play: &'a TimePlay,
     /// The scene's clock, and what is flown by it.
     pub(crate) clock: &'a Clock,
@@ -38,7 +38,7 @@ pub(crate) struct Reading<'a> {
 }
 
 impl Reading<'_> {
-    /// The hour that is shown: the running one, or the scene's.
+    /// The hour that is shown: the one that is tried out, or the scene's.
     pub(crate) fn hour(&self) -> f64 {
         self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
     }

@@ -1,37 +1,48 @@
-//! The time of day, running.
+//! An hour that is tried out in the view, running or not.
 //!
-//! It runs in the view alone: nothing in the scene changes, so nothing can be undone or is unsaved. When it stops, the
-//! hour that it reached becomes the scene's, as one step. Esc and undo drop it; so does a hand that sets another hour.
+//! Nothing in the scene changes by it, so nothing is unsaved and there is nothing to undo. It begins at the scene's hour and
+//! runs; stopped, it stays where it is until it is kept in the scene, or left for the scene's own. Whatever changes the
+//! scene's hour meanwhile ends it.
 
 /// Seconds that one frame may move on what runs by the clock: after a stall it goes on where it was, and doesn't jump.
 pub(crate) const MAX_STEP_S: f64 = 0.25;
 
-/// Whether time runs, and how fast.
+/// The hour that is tried out, if one is, and how fast it runs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct TimePlay {
-    hour: Option<f64>,
+    tried: Option<Tried>,
     hours_a_minute: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Tried {
+    /// In [0, 24).
+    hour: f64,
+    /// The scene's, where it began.
+    scene_hour: f64,
+    runs: bool,
 }
 
 impl Default for TimePlay {
     fn default() -> Self {
-        Self { hour: None, hours_a_minute: 24.0 }
+        Self { tried: None, hours_a_minute: 24.0 }
     }
 }
 
 impl TimePlay {
-    /// The hour that it has reached, in [0, 24), while it runs.
+    /// The hour that is tried out, in [0, 24); none if the scene's is shown.
     pub(crate) fn hour(&self) -> Option<f64> {
-        self.hour
+        self.tried.map(|tried| tried.hour)
+    }
+
+    /// Whether it runs.
+    pub(crate) fn runs(&self) -> bool {
+        self.tried.is_some_and(|tried| tried.runs)
     }
 
     /// Hours of the scene in a minute of the artist's.
     pub(crate) fn hours_a_minute(&self) -> f64 {
         self.hours_a_minute
-    }
-
-    pub(crate) fn is_on(&self) -> bool {
-        self.hour.is_some()
     }
 
     pub(crate) fn set_speed(&mut self, hours_a_minute: f64) {
@@ -40,25 +51,22 @@ impl TimePlay {
         }
     }
 
-    /// Starts at `hour`, in [0, 24).
-    pub(crate) fn start(&mut self, hour: f64) {
-        self.hour = Some(hour);
+    /// Runs on from where it stopped, or from the scene's hour; or stops.
+    pub(crate) fn run_or_stop(&mut self, scene_hour: f64) {
+        let tried = self.tried.get_or_insert(Tried { hour: scene_hour, scene_hour, runs: false });
+        tried.runs = !tried.runs;
     }
 
-    /// Stops. The hour that it had reached, if it ran.
-    pub(crate) fn stop(&mut self) -> Option<f64> {
-        self.hour.take()
+    /// The scene's hour is shown again. The one that was tried out, if there was one.
+    pub(crate) fn leave(&mut self) -> Option<f64> {
+        self.tried.take().map(|tried| tried.hour)
     }
 
-    /// Stops, and the hour is forgotten.
-    pub(crate) fn drop_hour(&mut self) {
-        self.hour = None;
-    }
-
-    /// A frame's worth of the artist's seconds; a stall counts as one step.
-    pub(crate) fn advance(&mut self, seconds: f64) {
-        if let Some(hour) = &mut self.hour {
-            *hour = (*hour + seconds.clamp(0.0, MAX_STEP_S) * self.hours_a_minute / 60.0).rem_euclid(24.0);
+    /// A frame's worth of the artist's seconds, of a scene with that hour.
+    pub(crate) fn advance(&mut self, seconds: f64, scene_hour: f64) {
+        self.tried = self.tried.filter(|tried| tried.scene_hour == scene_hour);
+        if let Some(tried) = self.tried.as_mut().filter(|tried| tried.runs) {
+            tried.hour = (tried.hour + seconds.clamp(0.0, MAX_STEP_S) * self.hours_a_minute / 60.0).rem_euclid(24.0);
         }
     }
 }
@@ -69,16 +77,33 @@ mod tests {
 
     #[test]
     fn runs_across_midnight_and_never_jumps() {
-        let mut time = TimePlay { hour: Some(23.95), hours_a_minute: 60.0 };
-        time.advance(0.1);
-        assert!((time.hour.expect("it runs") - 0.05).abs() < 1e-9);
-        time.advance(3600.0);
-        assert!((time.hour.expect("it runs") - 0.3).abs() < 1e-9, "a stall counts as one step");
+        let mut time = TimePlay::default();
+        time.set_speed(60.0);
+        time.run_or_stop(23.95);
+        time.advance(0.1, 23.95);
+        assert!((time.hour().expect("it runs") - 0.05).abs() < 1e-9);
+        time.advance(3600.0, 23.95);
+        assert!((time.hour().expect("it runs") - 0.3).abs() < 1e-9, "a stall counts as one step");
         time.set_speed(f64::NAN);
-        time.advance(f64::NAN);
+        time.advance(f64::NAN, 23.95);
         assert_eq!(time.hours_a_minute(), 60.0);
-        time.drop_hour();
-        time.advance(0.1);
-        assert!(!time.is_on());
+        assert!(time.leave().is_some() && time.hour().is_none());
+        time.advance(0.1, 23.95);
+        assert!(!time.runs());
+    }
+
+    #[test]
+    fn stays_where_it_stopped_until_the_scene_has_another_hour() {
+        let mut time = TimePlay::default();
+        time.run_or_stop(12.0);
+        time.advance(0.25, 12.0);
+        time.run_or_stop(12.0);
+        time.advance(0.25, 12.0);
+        assert_eq!((time.hour(), time.runs()), (Some(12.1), false));
+        time.run_or_stop(12.0);
+        time.advance(0.25, 12.0);
+        assert_eq!((time.hour(), time.runs()), (Some(12.2), true));
+        time.advance(0.25, 9.0);
+        assert_eq!(time.hour(), None);
     }
 }

@@ -282,7 +282,7 @@ impl Viewport {
     ) -> Sight {
         let session = reading.session;
         let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
-        let quick = by_hand || session.document().is_open() || reading.time_play.is_on() || reading.clock.moves();
+        let quick = by_hand || session.document().is_open() || reading.time_play.runs() || reading.clock.moves();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round().max(Vec2::ONE);
         self.aspect = (pixels.x / pixels.y).clamp(1.0 / LONGEST, LONGEST);
         let path = self.ride.as_ref().filter(|_| seat.is_some()).and_then(|ride| session.scene().path(ride.path));

@@ -238,21 +238,41 @@ fn time_runs_in_the_view_alone() {
     assert_eq!(window.scene(), &scene);
     assert!(!window.session().document().is_modified());
     window.press("Stop");
-    assert_eq!(window.undo_name().as_deref(), Some("Time of day"));
-    let stopped = window.scene().time_of_day_h;
-    assert!(stopped > 12.01);
+    let stopped = shown(&window);
     window.harness.run_steps(4);
-    assert_eq!(window.scene().time_of_day_h, stopped);
-    window.press("Undo");
-    assert_eq!((window.scene(), window.undo_name()), (&scene, None));
+    assert_eq!(shown(&window), stopped, "it stays where it stopped");
+    assert!(stopped > 12.01 && window.shows("Preview: the scene's hour is 12:00"));
+    assert_eq!((window.scene(), window.undo_name()), (&scene, None), "the scene has its own hour");
+    window.press("Back to the scene's hour");
+    assert_eq!(shown(&window), 12.0);
+    assert!(!window.shows("Preview"));
 
-    // Esc and undo drop it.
-    for key in [(Modifiers::NONE, Key::Escape), (Modifiers::COMMAND, Key::Z)] {
-        window.keys(Modifiers::NONE, Key::Space);
-        window.harness.run_steps(10);
-        assert!(shown(&window) > 12.01);
-        window.keys(key.0, key.1);
-        assert_eq!((shown(&window), window.scene(), window.undo_name()), (12.0, &scene, None), "{:?}", key.1);
-        assert!(window.harness.query_by_role_and_label(Role::Button, "Play").is_some(), "{:?}", key.1);
-    }
+    // Kept, it is one step; undone, the scene has its hour again, and so has the view.
+    window.press("Play");
+    window.harness.run_steps(10);
+    window.press("Stop");
+    let tried = shown(&window);
+    window.press("Keep this hour");
+    assert_eq!((window.scene().time_of_day_h, shown(&window)), (tried, tried));
+    assert_eq!(window.undo_name().as_deref(), Some("Keep this hour"));
+    assert!(!window.shows("Preview"));
+    window.press("Undo");
+    assert_eq!((window.scene(), window.undo_name(), shown(&window)), (&scene, None, 12.0));
+
+    // Esc leaves what runs, and so does another hour of the scene's.
+    window.keys(Modifiers::NONE, Key::Space);
+    window.harness.run_steps(10);
+    assert!(shown(&window) > 12.01);
+    window.keys(Modifiers::NONE, Key::Escape);
+    assert_eq!((shown(&window), window.scene(), window.undo_name()), (12.0, &scene, None));
+    window.keys(Modifiers::NONE, Key::Space);
+    window.harness.run_steps(10);
+    window.node(Role::Slider, "Time of day").set_value_accesskit(9.0);
+    window.settle();
+    assert_eq!((shown(&window), window.scene().time_of_day_h), (9.0, 9.0));
+    assert!(window.harness.query_by_role_and_label(Role::Button, "Play").is_some(), "it no longer runs");
+    window.keys(Modifiers::NONE, Key::Space);
+    window.harness.run_steps(10);
+    window.keys(Modifiers::COMMAND, Key::Z);
+    assert_eq!((shown(&window), window.scene()), (12.0, &scene));
 }

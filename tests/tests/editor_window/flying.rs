@@ -178,7 +178,8 @@ fn escape_stops_at_once_and_drops_nothing_else() {
     window.key(Key::W, false, false);
     window.hold(false);
     window.command(Command::PlayTime);
-    assert_eq!(window.undo_name().as_deref(), Some("Time of day"), "the time ran on");
+    window.command(Command::KeepHour);
+    assert_eq!(window.undo_name().as_deref(), Some("Keep this hour"), "the time ran on");
 }
 
 #[test]

@@ -53,7 +53,7 @@ impl Editor {
             return;
         }
         if edits.iter().any(|edit| matches!(edit, Edit::TimeOfDay(_))) {
-            self.time_play.drop_hour();
+            self.time_play.leave();
         }
         let mut done = self.session.drag(name, edits);
         if done.is_ok() && !live {
@@ -88,7 +88,8 @@ impl Editor {
         match command {
             Command::OpenRecent => !self.desk.settings().recent().is_empty(),
             Command::Revert => self.session.path().is_some() && document.is_modified(),
-            Command::Undo => document.undo_name().is_some() || document.is_open() || self.time_play.is_on(),
+            Command::Undo => document.undo_name().is_some() || document.is_open(),
+            Command::KeepHour | Command::SceneHour => self.time_play.hour().is_some(),
             Command::Redo => document.redo_name().is_some(),
             Command::AddBox | Command::PlaceModel | Command::PlaceMany | Command::Reroll | Command::AutoGroup => {
                 selection.model(scene).is_some()
@@ -130,7 +131,7 @@ impl Editor {
             Command::SpriteMarks => view.sprite_marks != SpriteMarks::Off,
             Command::GroupView => view.group_view,
             Command::Solo => !view.solo.is_empty(),
-            Command::PlayTime => self.time_play.is_on(),
+            Command::PlayTime => self.time_play.runs(),
             Command::PlayFlight => self.clock.plays(),
             Command::LoopFlight => self.clock.loops(),
             Command::BoardFlight => self.clock.boards(),
@@ -200,6 +201,8 @@ impl Editor {
             Command::BoxTool => self.view.tool = Tool::Box,
             Command::Snap => self.view.snap.on ^= true,
             Command::PlayTime => self.toggle_time(),
+            Command::KeepHour => self.keep_hour(),
+            Command::SceneHour => drop(self.time_play.leave()),
             Command::PlayFlight => self.toggle_flight(),
             Command::LoopFlight => self.clock.toggle_loop(),
             Command::BoardFlight => self.toggle_boarding(),
@@ -225,11 +228,7 @@ impl Editor {
         }
     }
 
-    /// The time of day that runs is what was done last.
     fn undo(&mut self) {
-        if self.time_play.is_on() {
-            return self.time_play.drop_hour();
-        }
         self.session.undo();
         self.view.keep_what_is_in(self.session.scene());
     }

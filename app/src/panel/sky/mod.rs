@@ -7,7 +7,7 @@ mod sun_path;
 
 use crate::command::Command;
 use crate::state::{Action, Reading, ViewChange};
-use crate::theme::icon;
+use crate::theme::{self, icon};
 use crate::widget::{Fields, fields, heading, name_it, number_field};
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::document::Edit;
@@ -55,7 +55,7 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
 /// The hour, and time that runs.
 fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     ui.horizontal(|ui| {
-        let (glyph, name) = if reading.time_play.is_on() { (icon::PAUSE, "Stop") } else { (icon::PLAY, "Play") };
+        let (glyph, name) = if reading.time_play.runs() { (icon::PAUSE, "Stop") } else { (icon::PLAY, "Play") };
         let button = ui.button(glyph);
         name_it(ui, &button, name);
         if button.on_hover_text(Command::PlayTime.row().tooltip(ui.ctx())).clicked() {
@@ -72,6 +72,23 @@ fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         let mut speed = reading.time_play.hours_a_minute();
         if number_field(ui, TIME_SPEED.label, &TIME_SPEED, &mut speed, false) {
             actions.push(Action::View(ViewChange::TimeSpeed(speed)));
+        }
+    });
+    if reading.time_play.hour().is_some() {
+        tried_out(ui, reading, actions);
+    }
+}
+
+/// That the hour is not the scene's, and the two ways on.
+fn tried_out(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    ui.horizontal_wrapped(|ui| {
+        let scene_hour = clock(reading.session.scene().time_of_day_h);
+        ui.colored_label(theme::warning(ui), format!("Preview: the scene's hour is {scene_hour}"));
+        for command in [Command::KeepHour, Command::SceneHour] {
+            let button = ui.small_button(command.row().label());
+            if button.on_hover_text(command.row().tooltip(ui.ctx())).clicked() {
+                actions.push(Action::Command(command));
+            }
         }
     });
 }
