@@ -1,8 +1,11 @@
 //! Scenes small enough to draw slowly.
 
 use crate::authoring::{Sketch, Strew};
-use cloudwright_core::scene::{Category, Scene};
-use glam::DVec3;
+use cloudwright_core::scene::{
+    Aircraft, AircraftId, BoxId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, CullRadius, Formation,
+    GroupCenter, GroupId, GroupLight, ModelId, PathId, PathKey, Scene, ShadingGroup, SpriteEdit, Sun,
+};
+use glam::{DQuat, DVec3, EulerRot};
 
 /// One heap of two boxes with `count` sprites each, its middle at the origin's column, 1,000 m up; a camera `main`
 /// 900 m south of it.
@@ -67,4 +70,49 @@ pub fn single_sprites(sprites: &[(DVec3, f64)]) -> Scene {
     sketch.scene.ground = None;
     sketch.camera("main", DVec3::ZERO, DVec3::NEG_Z, 50.0);
     sketch.scene
+}
+
+/// A scene that has each of the file's values: one of each kind of thing at least, and each way of saying how clouds are
+/// culled, groups lie and clouds form.
+pub fn everything() -> Scene {
+    let mut scene = Scene { sun: Sun::ByHand { heading_deg: 200.0, elevation_deg: 30.0 }, ..Scene::default() };
+    let next = &mut scene.next_id;
+    let groups: Vec<ShadingGroup> = [GroupCenter::Mean, GroupCenter::Pulled(0.5), GroupCenter::At(DVec3::splat(9.0))]
+        .into_iter()
+        .map(|center| {
+            let light = GroupLight { center, ..GroupLight::default() };
+            ShadingGroup { id: GroupId::new(next), name: "group".into(), light }
+        })
+        .collect();
+    let sprite = SpriteEdit { index: 3, moved: Some(DVec3::splat(0.25)), dropped: false, group: Some(groups[0].id) };
+    for cull_radius in [CullRadius::SpriteFraction(0.3), CullRadius::CloudHeightFraction(0.2), CullRadius::Metres(60.0)]
+    {
+        let mut model = CloudModel::new(ModelId::new(next), "model", Category::CumulusHumilis);
+        model.cull_radius = cull_radius;
+        for center in groups.iter().map(|group| group.light.center) {
+            let light = GroupLight { center, ..GroupLight::default() };
+            let new = CloudBox::new(BoxId::new(next), DVec3::new(10.0, 20.0, 30.0));
+            let orientation = DQuat::from_euler(EulerRot::YXZ, 0.5, 0.3, 0.1).normalize();
+            model.boxes.push(CloudBox { light, orientation, lumps: [1, 2, 3], ..new });
+        }
+        scene.models.push(model);
+    }
+    let first = &mut scene.models[0];
+    first.boxes[0].sprite_edits.push(sprite);
+    first.groups.extend(groups);
+    for formation in [None, Some(Formation::default())] {
+        let cloud = Cloud::new(CloudId::new(next), &scene.models[0], DVec3::new(0.0, 1000.0, 0.0));
+        scene.clouds.push(Cloud { formation, ..cloud });
+    }
+    let key = |time_s| PathKey {
+        time_s,
+        position: DVec3::new(time_s, 900.0, 0.0),
+        heading_deg: 10.0,
+        pitch_deg: -5.0,
+        roll_deg: 3.0,
+    };
+    let path = CameraPath::new(PathId::new(next), "path", vec![key(1.0), key(20.0)]);
+    scene.aircraft.push(Aircraft::new(AircraftId::new(next), "aircraft", path.id));
+    scene.paths.push(path);
+    scene
 }

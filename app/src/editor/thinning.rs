@@ -48,7 +48,7 @@ impl Drop for Work {
 
 impl Editor {
     pub(super) fn ask_thinning(&mut self) {
-        self.thinning = Some(Thinning { tolerance: panel::THINNING_TOLERANCE.default, work: None, refusal: None });
+        self.thinning = Some(Thinning { tolerance: panel::USUAL_TOLERANCE, work: None, refusal: None });
     }
 
     pub(super) fn show_thinning(&mut self, context: &egui::Context) {

@@ -1,28 +1,15 @@
 //! Aircraft on their paths.
 
 use crate::state::{Action, Reading};
-use crate::widget::{fields, name_it};
+use crate::widget::{Fields, name_it};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::parameter as p;
 use cloudwright_core::scene::Aircraft;
 use egui::Ui;
 
 /// `aircraft` has at least one, the one whose values are shown.
-pub(super) fn fields_of(ui: &mut Ui, aircraft: &[Aircraft], reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    let paths: Vec<_> = reading.session.scene().paths.iter().map(|path| (path.id, path.name.clone())).collect();
-    fields(
-        ui,
-        "Change aircraft",
-        actions,
-        aircraft,
-        |rows, aircraft| {
-            rows.text("Name", &mut aircraft.name);
-            rows.choice("Path", "Along which path it flies.", &mut aircraft.path, &paths);
-            rows.number(&p::AIRCRAFT_AHEAD_S, &mut aircraft.ahead_s);
-            rows.number(&p::AIRCRAFT_SCALE, &mut aircraft.scale);
-        },
-        |aircraft| Edit::Aircraft(ListEdit::Replace(aircraft)),
-    );
+pub(super) fn fields_of(ui: &mut Ui, aircraft: &[&Aircraft], reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    Fields::of(aircraft, reading)
+        .show(ui, "Change aircraft", actions, Fields::all, |_, aircraft| Edit::Aircraft(ListEdit::Replace(aircraft)));
     let Some(aircraft) = aircraft.first() else { return };
     ui.horizontal(|ui| {
         ui.label("Model");

@@ -1,29 +1,15 @@
 //! Saved cameras.
 
-use crate::state::Action;
-use crate::widget::fields;
+use crate::state::{Action, Reading};
+use crate::widget::Fields;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::parameter as p;
 use cloudwright_core::scene::Camera;
 use egui::Ui;
 
 /// `cameras` has at least one, the one whose values are shown.
-pub(super) fn fields_of(ui: &mut Ui, cameras: &[Camera], actions: &mut Vec<Action>) {
-    fields(
-        ui,
-        "Change camera",
-        actions,
-        cameras,
-        |rows, camera| {
-            rows.text("Name", &mut camera.name);
-            rows.vector("Position", &p::POSITION, &mut camera.position);
-            rows.number(&p::HEADING_DEG, &mut camera.heading_deg);
-            rows.number(&p::PITCH_DEG, &mut camera.pitch_deg);
-            rows.number(&p::ROLL_DEG, &mut camera.roll_deg);
-            rows.number(&p::FIELD_OF_VIEW_DEG, &mut camera.field_of_view_deg);
-        },
-        |camera| Edit::Camera(ListEdit::Replace(camera)),
-    );
+pub(super) fn fields_of(ui: &mut Ui, cameras: &[&Camera], reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    Fields::of(cameras, reading)
+        .show(ui, "Change camera", actions, Fields::all, |_, camera| Edit::Camera(ListEdit::Replace(camera)));
     let Some(camera) = cameras.first() else { return };
     ui.horizontal(|ui| {
         if ui.button("Look through").on_hover_text("The view goes where this camera is.").clicked() {

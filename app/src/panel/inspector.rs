@@ -4,8 +4,9 @@ use super::shading_groups::members;
 use super::{aircraft, camera, cloud, cloud_box, model, path};
 use crate::command::Command;
 use crate::state::{Action, Choose, Item, Reading, box_of, group_of};
-use crate::widget::{Fields, fields};
+use crate::widget::Fields;
 use cloudwright_core::document::{Edit, ListEdit};
+use cloudwright_core::property::GROUP_NAME;
 use cloudwright_core::scene::{ModelId, ShadingGroup};
 use egui::{ScrollArea, Ui};
 
@@ -28,17 +29,15 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
     let chosen = || reading.view.selection.items().iter().rev();
     match primary {
         Item::Model(_) => {
-            let models: Vec<_> = chosen()
-                .filter_map(|item| if let Item::Model(id) = item { scene.model(*id) } else { None })
-                .cloned()
-                .collect();
+            let models: Vec<_> =
+                chosen().filter_map(|item| if let Item::Model(id) = item { scene.model(*id) } else { None }).collect();
             title(ui, "Cloud model", models.len());
             model::fields_of(ui, &models, reading, actions);
         }
         Item::Box(of, _) | Item::Sprite(of, ..) => {
             let boxes: Vec<_> = chosen()
                 .filter_map(|item| match item {
-                    Item::Box(of, id) => Some((*of, box_of(scene, *of, *id)?.clone())),
+                    Item::Box(of, id) => Some((*of, box_of(scene, *of, *id)?)),
                     _ => None,
                 })
                 .collect();
@@ -49,33 +48,27 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
         }
         Item::Group(..) => groups(ui, reading, actions),
         Item::Cloud(_) => {
-            let clouds: Vec<_> = chosen()
-                .filter_map(|item| if let Item::Cloud(id) = item { scene.cloud(*id) } else { None })
-                .cloned()
-                .collect();
+            let clouds: Vec<_> =
+                chosen().filter_map(|item| if let Item::Cloud(id) = item { scene.cloud(*id) } else { None }).collect();
             title(ui, "Cloud", clouds.len());
             cloud::fields_of(ui, &clouds, reading, actions);
         }
         Item::Camera(_) => {
             let cameras: Vec<_> = chosen()
                 .filter_map(|item| if let Item::Camera(id) = item { scene.cameras.with_id(*id) } else { None })
-                .cloned()
                 .collect();
             title(ui, "Camera", cameras.len());
-            camera::fields_of(ui, &cameras, actions);
+            camera::fields_of(ui, &cameras, reading, actions);
         }
         Item::Path(_) => {
-            let paths: Vec<_> = chosen()
-                .filter_map(|item| if let Item::Path(id) = item { scene.path(*id) } else { None })
-                .cloned()
-                .collect();
+            let paths: Vec<_> =
+                chosen().filter_map(|item| if let Item::Path(id) = item { scene.path(*id) } else { None }).collect();
             title(ui, "Path", paths.len());
-            path::fields_of(ui, &paths, actions);
+            path::fields_of(ui, &paths, reading, actions);
         }
         Item::Aircraft(_) => {
             let all: Vec<_> = chosen()
                 .filter_map(|item| if let Item::Aircraft(id) = item { scene.aircraft.with_id(*id) } else { None })
-                .cloned()
                 .collect();
             title(ui, "Aircraft", all.len());
             aircraft::fields_of(ui, &all, reading, actions);
@@ -86,20 +79,21 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
 fn groups(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let scene = reading.session.scene();
     let chosen = reading.view.selection.groups();
-    let mut groups: Vec<_> = chosen.filter_map(|(of, id)| Some((of, group_of(scene, of, id)?.clone()))).collect();
-    groups.reverse();
-    title(ui, "Shading group", groups.len());
-    let name = |rows: &mut Fields<'_>, (_, group): &mut (ModelId, ShadingGroup)| rows.text("Name", &mut group.name);
-    let edit = |(of, group)| Edit::Group(of, ListEdit::Replace(group));
-    fields(ui, "Rename shading group", actions, &groups, name, edit);
+    let mut found: Vec<_> = chosen.filter_map(|(of, id)| Some((of, group_of(scene, of, id)?))).collect();
+    found.reverse();
+    title(ui, "Shading group", found.len());
+    let (models, groups): (Vec<ModelId>, Vec<&ShadingGroup>) = found.into_iter().unzip();
+    let name = |fields: &mut Fields<'_, ShadingGroup>, ui: &mut Ui| fields.rows(ui, GROUP_NAME);
+    let edit = |at: usize, group| Edit::Group(models[at], ListEdit::Replace(group));
+    Fields::of(&groups, reading).show(ui, "Rename shading group", actions, name, edit);
     ui.horizontal(|ui| {
         let panel = Command::GroupsPanel.row();
         if ui.button("Shape its light").on_hover_text(panel.help).clicked() {
             actions.push(Action::Command(panel.command));
         }
         if ui.button("Select its members").on_hover_text("The boxes and sprites that were put into it.").clicked() {
-            let members = |(of, group): &(ModelId, ShadingGroup)| Some(members(scene.model(*of)?, group.id));
-            let items = groups.iter().filter_map(members).flatten().collect();
+            let members = |(of, group): (&ModelId, &&ShadingGroup)| Some(members(scene.model(*of)?, group.id));
+            let items = models.iter().zip(&groups).filter_map(members).flatten().collect();
             actions.push(Action::Select { items, through: None, how: Choose::Only });
         }
     });

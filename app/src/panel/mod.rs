@@ -28,7 +28,7 @@ pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use palette::Palette;
 pub(crate) use place_many::{ask_place_many, default_places};
 pub(crate) use status::{Drawn, status};
-pub(crate) use thinning::{THINNING_TOLERANCE, ThinAnswer, ask_thinning};
+pub(crate) use thinning::{ThinAnswer, USUAL_TOLERANCE, ask_thinning};
 
 use crate::state::{Action, Reading};
 use crate::theme::icon;

@@ -3,46 +3,25 @@
 use crate::theme::{self, icon};
 use crate::widget::{name_it, number_field};
 use cloudwright_core::arrange::place_many::{MOST_CLOUDS, Pattern, Places};
-use cloudwright_core::parameter::{CLOUD_SCALE, Parameter};
+use cloudwright_core::property::{CLOUD_SCALE, Number};
 use cloudwright_core::random;
 use egui::{Align2, Color32, Context, Grid, Id, Modal, Ui, vec2};
 
-const COUNT: Parameter = Parameter {
-    name: "count",
-    label: "Placements",
-    unit: "",
-    min: 1.0,
-    max: MOST_CLOUDS as f64,
-    default: 12.0,
-    doc: "How many clouds.",
-};
-const AREA: Parameter = Parameter {
-    name: "extent",
-    label: "Area",
-    unit: "m",
-    min: 0.0,
-    max: 1e6,
-    default: 10_000.0,
-    doc: "The rectangle that they are strewn over.",
-};
-const SPREAD: Parameter = Parameter {
-    name: "altitude_spread_m",
-    label: "Altitude spread",
-    unit: "m",
-    min: 0.0,
-    max: 20_000.0,
-    default: 100.0,
-    doc: "Between the lowest and the highest.",
-};
+const COUNT: Number =
+    Number { label: "Placements", unit: "", min: 1.0, max: MOST_CLOUDS as f64, doc: "How many clouds." };
+const AREA: Number =
+    Number { label: "Area", unit: "m", min: 0.0, max: 1e6, doc: "The rectangle that they are strewn over." };
+const SPREAD: Number =
+    Number { label: "Altitude spread", unit: "m", min: 0.0, max: 20_000.0, doc: "Between the lowest and the highest." };
 
 /// How many, and where, before anything is chosen.
 pub(crate) fn default_places(center: glam::DVec3) -> Places {
     Places {
         center,
-        extent: glam::DVec2::splat(AREA.default),
-        count: COUNT.default as u32,
+        extent: glam::DVec2::splat(10_000.0),
+        count: 12,
         pattern: Pattern::Strewn,
-        altitude_spread_m: SPREAD.default,
+        altitude_spread_m: 100.0,
         scale: [0.8, 1.25],
         seed: 1,
         random_heading: true,

@@ -2,17 +2,17 @@
 
 use crate::theme;
 use crate::widget::number_field;
-use cloudwright_core::parameter::Parameter;
+use cloudwright_core::property::Number;
 use egui::{Context, Grid, Id, Modal, ProgressBar, Ui};
 
 /// The largest mean FLIP of any view.
-pub(crate) const THINNING_TOLERANCE: Parameter = Parameter {
-    name: "tolerance",
+/// Before another one is chosen: hard to see.
+pub(crate) const USUAL_TOLERANCE: f64 = 0.01;
+const TOLERANCE: Number = Number {
     label: "Tolerance",
     unit: "",
     min: 0.0005,
     max: 0.2,
-    default: 0.01,
     doc: "By how much a view may differ from what it is now: the mean FLIP, of which 0.01 is hard to see and 0.05 plain.",
 };
 
@@ -43,8 +43,8 @@ pub(crate) fn ask_thinning(
         ui.add_space(theme::GAP);
         ui.add_enabled_ui(done.is_none(), |ui| {
             Grid::new("thin out").num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| {
-                ui.label(THINNING_TOLERANCE.label);
-                number_field(ui, THINNING_TOLERANCE.label, &THINNING_TOLERANCE, tolerance, false);
+                ui.label(TOLERANCE.label);
+                number_field(ui, TOLERANCE.label, &TOLERANCE, tolerance, false);
                 ui.end_row();
             });
         });

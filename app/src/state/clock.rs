@@ -6,20 +6,18 @@
 use super::selection::Item;
 use super::time_play::MAX_STEP_S;
 use cloudwright_core::flight::PathCurve;
-use cloudwright_core::parameter::Parameter;
+use cloudwright_core::property::Number;
 use cloudwright_core::scene::{CameraPath, Formation, InScene, PathId, Scene};
 
 /// Without a path the clock runs for so long at least, seconds.
 const LEAST_S: f64 = 60.0;
 
 /// How many of the clock's seconds pass in one of the artist's.
-pub(crate) const CLOCK_SPEED: Parameter = Parameter {
-    name: "clock_speed",
+pub(crate) const CLOCK_SPEED: Number = Number {
     label: "Speed of play",
     unit: "×",
     min: 0.1,
     max: 10.0,
-    default: 1.0,
     doc: "Seconds of the scene's clock in a second of yours.",
 };
 
@@ -55,7 +53,7 @@ impl Default for Clock {
             plays: false,
             loops: false,
             is_sought: false,
-            speed: CLOCK_SPEED.default,
+            speed: 1.0,
             boards: true,
             on_board: false,
             path: None,

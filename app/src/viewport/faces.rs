@@ -8,7 +8,7 @@ use crate::theme;
 use crate::widget::name_it;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::parameter::BOX_SIZE;
+use cloudwright_core::property::BOX_SIZE;
 use cloudwright_core::scene::{CloudBox, ModelId};
 use egui::{CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect, Response, Sense, StrokeKind, Ui, Vec2};
 use glam::DVec3;

@@ -9,7 +9,7 @@ use crate::theme;
 use crate::widget::{Handle, LEVEL_STEP, choose_level, chosen_level, color32};
 use cloudwright_core::camera::View;
 use cloudwright_core::color::Rgba;
-use cloudwright_core::parameter::LEVEL_HEIGHT;
+use cloudwright_core::property::LEVEL_HEIGHT;
 use cloudwright_core::sprites::PlacedCloud;
 use egui::{CursorIcon, Pos2, Rect, Stroke, Ui, Vec2, pos2, vec2};
 use glam::Vec3;
@@ -53,7 +53,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
             id: ui.scope_id().with(("level on the cloud", index)),
             rect: Rect::from_center_size(middle, Vec2::splat(2.0 * RADIUS + 4.0)),
             name: &format!("Level {} on the cloud", index + 1),
-            parameter: &LEVEL_HEIGHT,
+            number: &LEVEL_HEIGHT,
             value: level.height,
             step: LEVEL_STEP,
         }

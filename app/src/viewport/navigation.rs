@@ -1,7 +1,7 @@
 //! Moving the view: a camera and the distance to the point that it turns about.
 
 use cloudwright_core::camera::View;
-use cloudwright_core::parameter;
+use cloudwright_core::property;
 use cloudwright_core::scene::Camera;
 use egui::Vec2;
 use glam::{DVec2, DVec3, Vec3};
@@ -90,7 +90,7 @@ impl Navigation {
     /// Within the scene's bounds.
     fn stand_at(&mut self, position: DVec3) {
         if position.is_finite() {
-            let bound = DVec3::splat(parameter::POSITION.max);
+            let bound = DVec3::splat(property::POSITION.max);
             self.camera.position = position.clamp(-bound, bound);
         }
     }

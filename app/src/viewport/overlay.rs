@@ -4,33 +4,14 @@ use crate::command::Command;
 use crate::state::{Action, Reading, Snap, Tool, ViewChange};
 use crate::theme::{self, icon};
 use crate::widget::{name_it, number_field};
-use cloudwright_core::parameter::{POSITION, Parameter};
+use cloudwright_core::property::{Number, POSITION};
 use egui::{Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, RichText, Ui, UiBuilder, vec2};
 
-const BASE_ALTITUDE: Parameter = Parameter {
-    name: "base_altitude",
-    label: "Base altitude",
-    doc: "The altitude of the plane that the box tool draws on.",
-    ..POSITION
-};
-const SNAP_STEP: Parameter = Parameter {
-    name: "snap_step",
-    label: "Snap step",
-    unit: "m",
-    min: 0.01,
-    max: 1e5,
-    default: 50.0,
-    doc: "What moves and sizes snap to.",
-};
-const SNAP_ANGLE: Parameter = Parameter {
-    name: "snap_angle",
-    label: "Snap angle",
-    unit: "°",
-    min: 0.1,
-    max: 180.0,
-    default: 15.0,
-    doc: "What turns snap to.",
-};
+const BASE_ALTITUDE: Number =
+    Number { label: "Base altitude", doc: "The altitude of the plane that the box tool draws on.", ..POSITION };
+const SNAP_STEP: Number =
+    Number { label: "Snap step", unit: "m", min: 0.01, max: 1e5, doc: "What moves and sizes snap to." };
+const SNAP_ANGLE: Number = Number { label: "Snap angle", unit: "°", min: 0.1, max: 180.0, doc: "What turns snap to." };
 
 /// Shows options and cameras in the upper corners of `rect`.
 pub(super) fn show(ui: &mut Ui, rect: Rect, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -76,12 +57,12 @@ fn options(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     }
 }
 
-/// A number under its parameter's label; on the screen it may be shorter.
-fn labelled(ui: &mut Ui, shown: &str, parameter: &Parameter, value: &mut f64) -> bool {
+/// A number under its number's label; on the screen it may be shorter.
+fn labelled(ui: &mut Ui, shown: &str, number: &Number, value: &mut f64) -> bool {
     if !shown.is_empty() {
         ui.label(shown);
     }
-    number_field(ui, parameter.label, parameter, value, false)
+    number_field(ui, number.label, number, value, false)
 }
 
 fn cameras(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {

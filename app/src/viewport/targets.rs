@@ -6,7 +6,7 @@
 use crate::state::{Item, Reading, Tool, ViewState, box_of, group_of};
 use cloudwright_core::arrange::{ModelSpace, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::parameter::{BOX_SIZE, CLOUD_SCALE, POSITION};
+use cloudwright_core::property::{BOX_SIZE, CLOUD_SCALE, POSITION};
 use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, InScene, ModelId, PoseMut, Scene, ShadingGroup};
 use cloudwright_core::sprites::GroupKey;
 use glam::{DQuat, DVec3, EulerRot};

@@ -1,196 +1,175 @@
-//! Fields of the inspector: every number reads its [`Parameter`] for label, unit, range and tooltip.
+//! Fields for the properties of one or several things: the rows come from the core's table.
 //!
-//! [`fields`] shows the rows of the first of several things, and gives the others what was changed in it: the same
-//! function that lays the rows out is run over each of them without a window, and finds the changed values by their
-//! names. Each value has a name, also for screen readers and tests: the label, and for parts of a vector or range the
-//! label and the part.
+//! Shown are the values of the first thing; where those of the others differ, the field says that they are mixed. What
+//! is changed is set in all of them, property by property. Each value has a name, also for screen readers and tests: the
+//! property's label, and for parts of a vector or range the label and the part.
 
-mod category;
-mod color;
+mod choice;
+pub(super) mod color;
 mod number;
 mod picker;
 mod refusal;
+mod seed;
 mod text;
 
-use crate::state::Action;
+use crate::state::{Action, Reading};
 use crate::theme;
 use cloudwright_core::document::Edit;
-use cloudwright_core::parameter::Parameter;
+use cloudwright_core::property::{Choice, Described, Kind, Property, Row, Value};
 use egui::{Grid, Response, RichText, Ui};
-use glam::DVec3;
-use std::any::Any;
 
 pub(crate) use color::{brightness_field, color_field, color32};
 pub(crate) use number::number_field;
 
-/// What was changed in the thing that is shown: names and values.
-type Record = Vec<(String, Box<dyn Any>)>;
+/// In the place of values that differ.
+const MIXED: &str = "mixed";
+const MIXED_DOC: &str = "They differ. What is set here, all of them get.";
 
-/// Rows of a name and one or more values, shown or filled in.
-pub(crate) struct Fields<'a> {
-    ui: Option<&'a mut Ui>,
-    record: &'a mut Record,
+/// Rows of a name and one or more values of `things`.
+pub(crate) struct Fields<'a, T: 'static> {
+    things: &'a [&'a T],
+    reading: &'a Reading<'a>,
+    /// What a thing has that has none of its own.
+    inherited: Box<dyn Fn(&T, &Property) -> Option<Value> + 'a>,
+    /// The shading groups that there are to choose from.
+    groups: Vec<(Value, String)>,
+    changes: Vec<Change<T>>,
 }
 
-/// The values of one row.
-pub(crate) struct Values<'a> {
-    ui: Option<&'a mut Ui>,
-    record: &'a mut Record,
+/// What all things are to get.
+enum Change<T: 'static> {
+    Set(&'static Row<T>, usize, Value),
+    /// Each another seed.
+    Roll(&'static Row<T>),
+    /// Each the seed that it has, as its own or as one that it inherits.
+    Own(&'static Row<T>, bool),
 }
 
-/// Shows `rows` of the first of `things` in two columns. What was touched there is changed in all of them, by the edits
-/// that `edit` makes of the changed things, under `name`: as part of a gesture while a button is down.
-pub(crate) fn fields<T: Clone>(
-    ui: &mut Ui,
-    name: &'static str,
-    actions: &mut Vec<Action>,
-    things: &[T],
-    rows: impl Fn(&mut Fields<'_>, &mut T),
-    edit: impl Fn(T) -> Edit,
-) {
-    let Some((first, others)) = things.split_first() else { return };
-    let mut record = Record::new();
-    let mut first = first.clone();
-    Grid::new(name).num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| {
-        rows(&mut Fields { ui: Some(ui), record: &mut record }, &mut first);
-    });
-    if record.is_empty() {
-        return;
+impl<'a, T: Clone + PartialEq> Fields<'a, T> {
+    /// For `things`, of which the first one's values are shown.
+    pub(crate) fn of(things: &'a [&'a T], reading: &'a Reading<'a>) -> Self {
+        Self { things, reading, inherited: Box::new(|_, _| None), groups: Vec::new(), changes: Vec::new() }
     }
-    let mut edits = vec![edit(first)];
-    edits.extend(others.iter().map(|other| {
-        let mut other = other.clone();
-        rows(&mut Fields { ui: None, record: &mut record }, &mut other);
-        edit(other)
-    }));
-    let live = ui.input(|input| input.pointer.any_down());
-    actions.push(Action::Change { name, edits, live });
-}
 
-impl Fields<'_> {
-    /// A row: its name, and what `values` puts beside it.
-    pub(crate) fn row(&mut self, label: &str, doc: &str, values: impl FnOnce(&mut Values<'_>)) {
-        let record = &mut *self.record;
-        let Some(ui) = self.ui.as_deref_mut() else {
-            return values(&mut Values { ui: None, record });
+    /// Where a thing has no value of its own, what `inherited` says is shown.
+    pub(crate) fn inheriting(self, inherited: impl Fn(&T, &Property) -> Option<Value> + 'a) -> Self {
+        Self { inherited: Box::new(inherited), ..self }
+    }
+
+    /// With these shading groups to choose from.
+    pub(crate) fn with_groups(self, groups: impl Iterator<Item = (u64, String)>) -> Self {
+        Self { groups: groups.map(|(id, name)| (Value::Whole(id), name)).collect(), ..self }
+    }
+
+    /// Shows `rows` in two columns. What was changed there is set in all things, by the edits that `edit` makes of the
+    /// changed ones and their positions, under `name`: as part of a gesture while a button is down.
+    pub(crate) fn show(
+        mut self,
+        ui: &mut Ui,
+        name: &'static str,
+        actions: &mut Vec<Action>,
+        rows: impl FnOnce(&mut Self, &mut Ui),
+        edit: impl Fn(usize, T) -> Edit,
+    ) {
+        if self.things.is_empty() {
+            return;
+        }
+        Grid::new(name).num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| rows(&mut self, ui));
+        if self.changes.is_empty() {
+            return;
+        }
+        let changed = |(at, thing): (usize, &&T)| {
+            let after = self.changed(thing);
+            (after != **thing).then(|| edit(at, after))
         };
-        let name = ui.label(label);
-        if !doc.is_empty() {
-            name.on_hover_text(doc);
+        let edits: Vec<Edit> = self.things.iter().enumerate().filter_map(changed).collect();
+        let live = ui.input(|input| input.pointer.any_down());
+        if !edits.is_empty() {
+            actions.push(Action::Change { name, edits, live });
         }
-        ui.horizontal(|ui| values(&mut Values { ui: Some(ui), record }));
-        ui.end_row();
     }
 
-    /// A number under its parameter's own label.
-    pub(crate) fn number(&mut self, parameter: &Parameter, value: &mut f64) {
-        self.labelled(parameter.label, parameter, value);
+    /// `thing` after all changes. What it does not have, such as when a cloud begins that does not form, it does not get.
+    fn changed(&self, thing: &T) -> T {
+        let mut thing = thing.clone();
+        for change in &self.changes {
+            let _ = match change {
+                Change::Set(row, part, value) => row.set(&mut thing, *part, value),
+                Change::Roll(row) => self.roll(row, &mut thing),
+                Change::Own(row, own) => self.own(row, &mut thing, *own),
+            };
+        }
+        thing
     }
 
-    /// A number under another label.
-    pub(crate) fn labelled(&mut self, label: &str, parameter: &Parameter, value: &mut f64) {
-        self.row(label, parameter.doc, |values| values.number(label, parameter, value));
+    /// All rows that the things have.
+    pub(crate) fn all(&mut self, ui: &mut Ui)
+    where
+        T: Described,
+    {
+        T::rows().for_each(|row| self.row(ui, row, row.property.label));
     }
 
-    /// A whole number.
-    pub(crate) fn whole(&mut self, parameter: &Parameter, value: &mut u32) {
-        self.row(parameter.label, parameter.doc, |values| values.whole(parameter.label, parameter, value));
+    /// One row after the other.
+    pub(crate) fn rows(&mut self, ui: &mut Ui, rows: &'static [Row<T>]) {
+        for row in rows {
+            self.row(ui, row, row.property.label);
+        }
     }
 
-    /// Three whole numbers along the axes.
-    pub(crate) fn whole_vector(&mut self, parameter: &Parameter, value: &mut [u32; 3]) {
-        self.row(parameter.label, parameter.doc, |values| {
-            for (axis, part) in AXES.iter().zip(value) {
-                values.whole(&format!("{} {axis}", parameter.label), parameter, part);
+    /// A row under that label; nothing if the first thing does not have it.
+    pub(crate) fn row(&mut self, ui: &mut Ui, row: &'static Row<T>, label: &str) {
+        let Some(value) = self.things.first().and_then(|first| row.value(first, 0)) else { return };
+        match row.property.kind {
+            Kind::Number(_) | Kind::Angle(_) | Kind::Integer(_) | Kind::Color(_) => self.numbers(ui, row, label),
+            Kind::Seed => self.seed(ui, row, label),
+            Kind::Flag => self.flag(ui, row, label, value == Value::Flag(true)),
+            Kind::Text => self.text(ui, row, label, &value),
+            Kind::Choice(choices) => {
+                let named = |choice: &Choice| (Value::Text(choice.name.into()), choice.label.into());
+                self.choice(ui, row, label, choices.iter().map(named).collect());
             }
-        });
-    }
-
-    /// A point or an extent.
-    pub(crate) fn vector(&mut self, label: &str, parameter: &Parameter, value: &mut DVec3) {
-        self.row(label, parameter.doc, |values| {
-            for (axis, part) in AXES.iter().zip([&mut value.x, &mut value.y, &mut value.z]) {
-                values.number(&format!("{label} {axis}"), parameter, part);
+            Kind::Category => self.category(ui, row, label, &value),
+            Kind::Model => {
+                let models = self.reading.session.scene().models.iter();
+                self.choice(ui, row, label, models.map(|each| (Value::Whole(each.id.0), each.name.clone())).collect());
             }
-        });
-    }
-
-    /// Smallest and largest. One pushes the other along, so that they never cross.
-    pub(crate) fn range(&mut self, label: &str, parameter: &Parameter, value: &mut [f64; 2]) {
-        self.row(label, parameter.doc, |values| {
-            let [low, high] = value;
-            let before = [*low, *high];
-            values.number(&format!("{label} from"), parameter, low);
-            values.text("to");
-            values.number(&format!("{label} to"), parameter, high);
-            if *low != before[0] {
-                *high = high.max(*low);
+            Kind::Path => {
+                let paths = self.reading.session.scene().paths.iter();
+                self.choice(ui, row, label, paths.map(|each| (Value::Whole(each.id.0), each.name.clone())).collect());
             }
-            if *high != before[1] {
-                *low = low.min(*high);
-            }
-        });
+            Kind::Group => self.choice(ui, row, label, self.groups.clone()),
+        }
     }
 
-    /// One of a few.
-    pub(crate) fn choice<T: PartialEq + Clone + 'static>(
-        &mut self,
-        label: &str,
-        doc: &str,
-        value: &mut T,
-        all: &[(T, String)],
-    ) {
-        self.row(label, doc, |values| {
-            values.value(label, value, |ui, value| {
-                let before = value.clone();
-                let shown = all.iter().find(|(each, _)| each == value).map_or("", |(_, name)| name);
-                let combo = egui::ComboBox::from_id_salt(label).selected_text(shown).show_ui(ui, |ui| {
-                    for (each, name) in all {
-                        ui.selectable_value(value, each.clone(), name);
-                    }
-                });
-                name_it(ui, &combo.response, label);
-                *value != before
-            });
-        });
+    /// The part's value in the first thing, or what that inherits.
+    fn effective(&self, row: &Row<T>, part: usize, thing: &T) -> Option<Value> {
+        row.value(thing, part).map(|value| match value {
+            Value::None => (self.inherited)(thing, &row.property).unwrap_or(Value::None),
+            own => own,
+        })
     }
 
-    /// Yes or no.
-    pub(crate) fn check(&mut self, label: &str, doc: &str, value: &mut bool) {
-        self.row("", "", |values| {
-            values.value(label, value, |ui, value| ui.checkbox(value, label).on_hover_text(doc).changed());
-        });
+    /// Whether what `get` reads of the things is not the same in all that have it.
+    fn differ(&self, get: impl Fn(&T) -> Option<Value>) -> bool {
+        let mut values = self.things.iter().filter_map(|thing| get(thing));
+        values.next().is_some_and(|first| values.any(|other| other != first))
+    }
+
+    fn set(&mut self, row: &'static Row<T>, part: usize, value: Value) {
+        self.changes.push(Change::Set(row, part, value));
     }
 }
 
-impl Values<'_> {
-    /// One value: `show` puts it on the screen and tells whether it was changed.
-    pub(crate) fn value<T: Clone + 'static>(
-        &mut self,
-        name: &str,
-        value: &mut T,
-        show: impl FnOnce(&mut Ui, &mut T) -> bool,
-    ) {
-        if let Some(ui) = self.ui.as_deref_mut() {
-            if show(ui, value) {
-                self.record.push((name.into(), Box::new(value.clone())));
-            }
-        } else if let Some((_, changed)) = self.record.iter().find(|(each, _)| each == name)
-            && let Some(changed) = changed.downcast_ref::<T>()
-        {
-            *value = changed.clone();
-        }
+/// A row's name in the first column, and what `values` puts beside it.
+fn named(ui: &mut Ui, label: &str, doc: &str, values: impl FnOnce(&mut Ui)) {
+    let name = ui.label(label);
+    if !doc.is_empty() {
+        name.on_hover_text(doc);
     }
-
-    /// Words between values.
-    pub(crate) fn text(&mut self, text: &str) {
-        if let Some(ui) = self.ui.as_deref_mut() {
-            ui.label(text);
-        }
-    }
+    ui.horizontal(values);
+    ui.end_row();
 }
-
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A line between groups of rows.
 pub(crate) fn heading(ui: &mut Ui, text: &str) {

@@ -3,7 +3,7 @@
 //! Where it lies and how it looks is its owner's; here is what a hand, a key or a reader wants of it. Tab reaches it,
 //! arrows move it by a step, with Shift by ten.
 
-use cloudwright_core::parameter::Parameter;
+use cloudwright_core::property::Number;
 use egui::accesskit::{self, ActionData, Role};
 use egui::{EventFilter, Id, Key, Modifiers, Rect, Response, Sense, Ui, Vec2};
 
@@ -19,7 +19,7 @@ pub(crate) struct Handle<'a> {
     /// What screen readers call it, and tests.
     pub(crate) name: &'a str,
     /// Range and meaning.
-    pub(crate) parameter: &'a Parameter,
+    pub(crate) number: &'a Number,
     /// Where it is now.
     pub(crate) value: f64,
     /// Of an arrow key.
@@ -64,10 +64,10 @@ impl Handle<'_> {
         ui.ctx().accesskit_node_builder(self.id, |node| {
             node.set_role(Role::Slider);
             node.set_label(self.name);
-            node.set_description(self.parameter.doc);
+            node.set_description(self.number.doc);
             node.set_numeric_value(self.value);
-            node.set_min_numeric_value(self.parameter.min);
-            node.set_max_numeric_value(self.parameter.max);
+            node.set_min_numeric_value(self.number.min);
+            node.set_max_numeric_value(self.number.max);
             node.set_numeric_value_step(self.step);
             for action in [accesskit::Action::SetValue, accesskit::Action::Increment, accesskit::Action::Decrement] {
                 node.add_action(action);

@@ -8,7 +8,7 @@ pub(crate) mod kept;
 mod preset_gallery;
 
 pub(crate) use chosen_level::{LEVEL_STEP, choose_level, chosen_level};
-pub(crate) use fields::{Fields, brightness_field, color_field, color32, fields, heading, name_it, number_field};
+pub(crate) use fields::{Fields, brightness_field, color_field, color32, heading, name_it, number_field};
 pub(crate) use handle::{Handle, Handled};
 pub(crate) use kept::Kept;
 pub use preset_gallery::{category_gallery, preset_gallery};

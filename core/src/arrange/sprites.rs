@@ -5,7 +5,7 @@
 //! other sprites are strewn anew.
 
 use super::{Arrangement, ModelSpace, Plan, Thing};
-use crate::parameter::SPRITE_PLACE;
+use crate::property::SPRITE_PLACE;
 use crate::scene::{BoxId, Cloud, CloudBox, ModelId, Scene, SpriteEdit};
 use glam::DVec3;
 use std::collections::BTreeMap;

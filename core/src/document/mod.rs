@@ -6,6 +6,7 @@
 
 mod edit;
 mod history;
+mod set;
 mod transaction;
 
 pub use edit::{Edit, ListEdit};
@@ -14,6 +15,7 @@ pub use history::History;
 pub use crate::change::Change;
 
 use crate::problem::{self, Problem, Severity};
+use crate::property::{Address, Refusal};
 use crate::scene::Scene;
 use transaction::{Transaction, UndoPoint};
 
@@ -55,6 +57,14 @@ pub enum EditError {
         kind: &'static str,
         /// Its id.
         id: String,
+    },
+    /// A property can't be set so.
+    #[error("{address}: {refusal}")]
+    Refused {
+        /// Which.
+        address: Address,
+        /// Why.
+        refusal: Refusal,
     },
     /// The transaction would have left the scene with faults that it did not have before.
     #[error("{}", .problems.iter().map(Problem::to_string).collect::<Vec<_>>().join("; "))]

@@ -10,6 +10,7 @@ mod duplicate_ids;
 mod levels_out_of_order;
 mod missing_references;
 mod no_cameras;
+mod not_a_rotation;
 mod numbers_out_of_range;
 mod reversed_ranges;
 mod scope;
@@ -67,6 +68,7 @@ impl fmt::Display for Problem {
 /// All checks, in the order of their reports.
 const CHECKS: &[fn(Scope<'_>, &mut Vec<Problem>)] = &[
     numbers_out_of_range::check,
+    not_a_rotation::check,
     reversed_ranges::check,
     daily_tables::check,
     levels_out_of_order::check,

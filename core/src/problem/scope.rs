@@ -4,7 +4,8 @@
 //! sets things against one another asks the change, and looks at all of them where any may matter.
 
 use crate::change::Change;
-use crate::scene::{CloudModel, Listed, Scene};
+use crate::property::Owner;
+use crate::scene::{CloudModel, Listed, Scene, Thing};
 
 /// A scene and what was touched of it.
 #[derive(Debug, Clone, Copy)]
@@ -14,6 +15,18 @@ pub(super) struct Scope<'a> {
 }
 
 impl<'a> Scope<'a> {
+    /// Whether properties of `owner` may have changed.
+    pub(super) fn has(self, owner: Owner) -> bool {
+        match owner {
+            Owner::Ground => self.change.touches_ground(),
+            Owner::Thing(Thing::Box(model, _) | Thing::Group(model, _) | Thing::Sprite(model, ..))
+            | Owner::Level(model, _) => self.change.touches_model(model),
+            Owner::Thing(thing) => self.change.touches(thing),
+            Owner::Key(path, _) => self.change.touches(Thing::Path(path)),
+            _ => self.change.touches_head(),
+        }
+    }
+
     /// Those of a kind that were touched, with their positions.
     pub(super) fn all<T: Listed>(self) -> impl Iterator<Item = (usize, &'a T)> {
         T::list(self.scene).iter().enumerate().filter(move |(_, value)| self.change.touches(T::thing(value.id())))

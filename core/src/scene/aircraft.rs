@@ -1,7 +1,6 @@
 //! An aircraft that flies along a camera path.
 
 use super::{AircraftId, HasId, InScene, PathId, Thing};
-use crate::parameter;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -27,7 +26,7 @@ pub struct Aircraft {
 }
 
 fn usual_lead() -> f64 {
-    parameter::AIRCRAFT_AHEAD_S.default
+    4.0
 }
 
 fn one() -> f64 {

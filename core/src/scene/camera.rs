@@ -5,6 +5,9 @@ use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
+/// Of a new camera or path.
+pub(super) const USUAL_FIELD_OF_VIEW_DEG: f64 = 50.0;
+
 /// A point of view with a name.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -37,7 +40,7 @@ impl Camera {
             heading_deg: 0.0,
             pitch_deg: 0.0,
             roll_deg: 0.0,
-            field_of_view_deg: crate::parameter::FIELD_OF_VIEW_DEG.default,
+            field_of_view_deg: USUAL_FIELD_OF_VIEW_DEG,
         }
     }
 

@@ -1,7 +1,7 @@
 //! A camera's flight: where it is and where it looks at given times. Between the keys runs [`crate::flight::PathCurve`].
 
+use super::camera::USUAL_FIELD_OF_VIEW_DEG;
 use super::{HasId, IdCounter, InScene, PathId, PoseMut};
-use crate::parameter;
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -45,7 +45,7 @@ fn is_level(roll_deg: &f64) -> bool {
 impl CameraPath {
     /// A path with a camera's usual field of view.
     pub fn new(id: PathId, name: &str, keys: Vec<PathKey>) -> Self {
-        Self { id, name: name.into(), field_of_view_deg: parameter::FIELD_OF_VIEW_DEG.default, keys }
+        Self { id, name: name.into(), field_of_view_deg: USUAL_FIELD_OF_VIEW_DEG, keys }
     }
 
     /// A path that has no id because it is in no scene: one that is being recorded.

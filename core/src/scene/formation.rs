@@ -2,7 +2,6 @@
 //!
 //! Only the terms are saved; what they make of the cloud at an instant follows from them in closed form.
 
-use crate::parameter;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -35,12 +34,6 @@ pub enum FormationChange {
 
 impl Default for Formation {
     fn default() -> Self {
-        Self {
-            change: FormationChange::Forming,
-            start_s: parameter::FORMATION_START_S.default,
-            core_s: parameter::FORMATION_CORE_S.default,
-            edges_s: parameter::FORMATION_EDGES_S.default,
-            threshold: parameter::FORMATION_THRESHOLD.default,
-        }
+        Self { change: FormationChange::Forming, start_s: 0.0, core_s: 20.0, edges_s: 30.0, threshold: 0.5 }
     }
 }

@@ -2,7 +2,6 @@
 
 use super::DailyTable;
 use crate::color::{Rgb, Rgba};
-use crate::parameter;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -28,7 +27,7 @@ pub struct Sky {
 }
 
 fn as_its_sprites() -> f64 {
-    parameter::INSIDE_DENSITY.default
+    1.0
 }
 
 fn is_as_its_sprites(inside_density: &f64) -> bool {
@@ -74,9 +73,9 @@ impl Default for Sky {
                 (20.6, Rgb::new(0.95, 0.38, 0.15)),
                 (21.3, Rgb::new(0.010, 0.012, 0.018)),
             ]),
-            turbidity: parameter::TURBIDITY.default,
-            gain: parameter::SKY_GAIN.default,
-            haze_length_m: parameter::HAZE_LENGTH_M.default,
+            turbidity: 2.5,
+            gain: 1.0,
+            haze_length_m: 26_000.0,
             exposure_ev: 0.0,
             inside_density: as_its_sprites(),
         }

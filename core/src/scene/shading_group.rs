@@ -1,7 +1,6 @@
 //! Shading groups: sprites that take the sun as one lump (W).
 
 use super::{GroupId, HasId};
-use crate::parameter;
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -55,12 +54,7 @@ pub struct ShadingGroup {
 
 impl Default for GroupLight {
     fn default() -> Self {
-        Self {
-            c_min: parameter::C_MIN.default,
-            c_med: parameter::C_MED.default,
-            c_max: parameter::C_MAX.default,
-            center: GroupCenter::Mean,
-        }
+        Self { c_min: 0.0, c_med: 0.42, c_max: 1.0, center: GroupCenter::Mean }
     }
 }
 

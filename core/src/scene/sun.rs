@@ -1,6 +1,5 @@
 //! Where on Earth and when, and with that the sun.
 
-use crate::parameter;
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::fmt;
@@ -115,9 +114,9 @@ impl Default for Place {
     /// Seattle at midsummer, on daylight saving time.
     fn default() -> Self {
         Self {
-            latitude_deg: parameter::LATITUDE_DEG.default,
-            longitude_deg: parameter::LONGITUDE_DEG.default,
-            utc_offset_h: parameter::UTC_OFFSET_H.default,
+            latitude_deg: 47.5,
+            longitude_deg: -122.3,
+            utc_offset_h: -7.0,
             date: Date { year: 2004, month: 6, day: 21 },
         }
     }

@@ -10,6 +10,7 @@ mod flight;
 mod measure;
 mod method;
 mod model_glb;
+mod property;
 mod raster;
 mod scene_file;
 mod shading;

@@ -19,6 +19,7 @@ mod on_disk;
 mod paths_in_view;
 mod recovery;
 mod remembering;
+mod several;
 mod thinning;
 mod tools;
 mod viewing;

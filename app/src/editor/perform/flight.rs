@@ -7,12 +7,14 @@ use crate::state::{Item, Selection};
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::flight::leg_speed_mps;
-use cloudwright_core::parameter::LEG_SPEED_MPS;
+use cloudwright_core::property::LEG_SPEED_MPS;
 use cloudwright_core::scene::{Aircraft, AircraftId, CameraPath, PathId, PathKey};
 use std::path::Path;
 
 /// A key after the last one comes so much later at least, seconds.
 const LEAST_LEG_S: f64 = 0.5;
+/// Towards a key after the only one: a light aircraft's.
+const USUAL_SPEED_MPS: f64 = 80.0;
 /// Of a time that the hand gives, seconds: a millisecond. Keys nearer to each other are one.
 const TIME_STEP_S: f64 = 0.001;
 
@@ -37,7 +39,7 @@ impl Editor {
         let here = key_of(self.viewport.camera(), 0.0);
         let time_s = path.keys.last().map_or(0.0, |last| {
             let before = path.keys.len().checked_sub(2).and_then(|leg| leg_speed_mps(&path.keys, leg));
-            let speed = before.filter(|speed| *speed > LEG_SPEED_MPS.min).unwrap_or(LEG_SPEED_MPS.default);
+            let speed = before.filter(|speed| *speed > LEG_SPEED_MPS.min).unwrap_or(USUAL_SPEED_MPS);
             to_step(last.time_s + (last.position.distance(here.position) / speed).max(LEAST_LEG_S))
         });
         path.keys.push(PathKey { time_s, ..here });

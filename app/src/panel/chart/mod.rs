@@ -11,16 +11,14 @@ use crate::chart::text::figure;
 use crate::state::{Action, ChartChange, Reading, WIDTHS_PX};
 use crate::theme;
 use crate::widget::{heading, name_it, number_field};
-use cloudwright_core::parameter::Parameter;
+use cloudwright_core::property::Number;
 use egui::{ComboBox, ProgressBar, ScrollArea, Ui};
 
-const TOLERANCE: Parameter = Parameter {
-    name: "tolerance",
+const TOLERANCE: Number = Number {
     label: "Good enough",
     unit: "",
     min: 0.0001,
     max: 1.0,
-    default: crate::chart::html::DEFAULT_TOLERANCE,
     doc: "The mean FLIP that a method may have: 0.01 is hard to see, 0.05 is plain.",
 };
 

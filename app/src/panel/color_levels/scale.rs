@@ -5,7 +5,7 @@ use crate::state::{Reading, color_levels};
 use crate::theme;
 use crate::widget::{Handle, LEVEL_STEP, color32};
 use cloudwright_core::color::Rgba;
-use cloudwright_core::parameter::LEVEL_HEIGHT;
+use cloudwright_core::property::LEVEL_HEIGHT;
 use cloudwright_core::scene::{ColorLevel, ColorLevels};
 use egui::{CursorIcon, Pos2, Rect, Response, Sense, Shape, Stroke, Ui, pos2, vec2};
 
@@ -41,7 +41,7 @@ pub(super) fn show(ui: &mut Ui, room: f32, reading: &Reading<'_>, levels: &mut C
                 id: ui.scope_id().with(("level", index)),
                 rect: Rect::from_min_size(place - vec2(0.0, TAG.y * 0.5), TAG),
                 name: &format!("Level {}", index + 1),
-                parameter: &LEVEL_HEIGHT,
+                number: &LEVEL_HEIGHT,
                 value: before[index].height,
                 step: LEVEL_STEP,
             }

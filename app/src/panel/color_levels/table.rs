@@ -2,7 +2,7 @@
 
 use crate::state::color_levels;
 use crate::widget::{brightness_field, color_field, name_it, number_field};
-use cloudwright_core::parameter::{ALPHA, LEVEL_HEIGHT};
+use cloudwright_core::property::{ALPHA, LEVEL_HEIGHT};
 use cloudwright_core::scene::ColorLevels;
 use egui::{Grid, Ui};
 

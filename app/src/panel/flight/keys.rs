@@ -9,7 +9,7 @@ use crate::theme::{self, icon};
 use crate::widget::{name_it, number_field};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::flight::{SHORTEST_LEG_S, leg_speed_mps, with_speed_from};
-use cloudwright_core::parameter::{KEY_TIME_S, LEG_SPEED_MPS, Parameter};
+use cloudwright_core::property::{KEY_TIME_S, LEG_SPEED_MPS, Number};
 use cloudwright_core::scene::{CameraPath, PathKey};
 use egui::{Button, ScrollArea, Ui, vec2};
 
@@ -68,13 +68,13 @@ fn line(ui: &mut Ui, path: &CameraPath, index: usize, key: &PathKey, reading: &R
         if let Some(speed_mps) = leg_speed_mps(&path.keys, index) {
             let unit = reading.units.speed();
             let mut speed = in_whole(unit.from_si(speed_mps));
-            let parameter = Parameter {
+            let in_unit = Number {
                 unit: unit.name,
                 min: unit.from_si(LEG_SPEED_MPS.min),
                 max: unit.from_si(LEG_SPEED_MPS.max),
                 ..LEG_SPEED_MPS
             };
-            if number_field(ui, &format!("Speed from key {number}"), &parameter, &mut speed, false) {
+            if number_field(ui, &format!("Speed from key {number}"), &in_unit, &mut speed, false) {
                 let keys = with_speed_from(&path.keys, index, unit.to_si(speed));
                 let path = CameraPath { keys, ..path.clone() };
                 actions.push(Action::change("Leg's speed", Edit::Path(ListEdit::Replace(path)), live));
@@ -101,9 +101,9 @@ fn in_whole(speed: f64) -> f64 {
 }
 
 /// A key's time lies between its neighbours'.
-fn between_neighbours(path: &CameraPath, index: usize) -> Parameter {
+fn between_neighbours(path: &CameraPath, index: usize) -> Number {
     let time = |index: Option<usize>| Some(path.keys.get(index?)?.time_s);
     let min = time(index.checked_sub(1)).map_or(KEY_TIME_S.min, |before| before + SHORTEST_LEG_S);
     let max = time(index.checked_add(1)).map_or(KEY_TIME_S.max, |after| after - SHORTEST_LEG_S);
-    Parameter { min, max: max.max(min), ..KEY_TIME_S }
+    Number { min, max: max.max(min), ..KEY_TIME_S }
 }

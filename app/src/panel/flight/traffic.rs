@@ -7,7 +7,7 @@ use crate::state::{Action, Item, Reading};
 use crate::theme::icon;
 use crate::widget::{name_it, number_field};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::parameter::AIRCRAFT_AHEAD_S;
+use cloudwright_core::property::AIRCRAFT_AHEAD_S;
 use cloudwright_core::scene::{Aircraft, CameraPath};
 use egui::{Button, Grid, Ui};
 

@@ -5,7 +5,7 @@
 //! the arrow keys while it has the focus, in finer steps with Shift.
 
 use crate::theme;
-use cloudwright_core::parameter::{C_MAX, C_MED, C_MIN, Parameter};
+use cloudwright_core::property::{C_MAX, C_MED, C_MIN, Number};
 use cloudwright_core::scene::GroupLight;
 use cloudwright_core::shading::directional_share;
 use egui::accesskit::{Action, ActionData, Role};
@@ -18,7 +18,7 @@ use glam::Vec3;
 pub(super) type At = usize;
 
 /// Of the three numbers, in the order of the curve.
-const PARAMETERS: [Parameter; 3] = [C_MIN, C_MED, C_MAX];
+const NUMBERS: [Number; 3] = [C_MIN, C_MED, C_MAX];
 /// Shares that the plot always shows.
 const SHOWN: [f64; 2] = [-0.1, 1.2];
 /// Of a press of an arrow key.
@@ -120,13 +120,13 @@ impl Plot {
 
     /// The new share, if it was moved.
     fn dot(&self, ui: &Ui, at: At, share: f64, tint: Color32) -> Option<f64> {
-        let parameter = &PARAMETERS[at];
+        let number = &NUMBERS[at];
         let middle = self.place(at as f32 * 0.5, share);
         let id = ui.scope_id().with(("dot", at));
         let response = ui.interact(Rect::from_center_size(middle, vec2(18.0, 18.0)), id, Sense::drag());
         let moved = moved(ui, &response, share, self.share_per_point());
-        let moved = moved.map(|share| share.clamp(parameter.min, parameter.max)).filter(|new| *new != share);
-        describe(ui, &response, parameter, share);
+        let moved = moved.map(|share| share.clamp(number.min, number.max)).filter(|new| *new != share);
+        describe(ui, &response, number, share);
         let stands_out = response.has_focus() || response.hovered() || response.dragged();
         let radius = if stands_out { 7.0 } else { 5.5 };
         let ring = if response.has_focus() { ui.visuals().selection.stroke.color } else { ui.visuals().text_color() };
@@ -136,7 +136,7 @@ impl Plot {
         }
         response
             .on_hover_cursor(CursorIcon::ResizeVertical)
-            .on_hover_text(format!("{}: {share:.2}\n{} Drag, or arrow keys.", parameter.label, parameter.doc));
+            .on_hover_text(format!("{}: {share:.2}\n{} Drag, or arrow keys.", number.label, number.doc));
         moved
     }
 }
@@ -170,13 +170,13 @@ fn moved(ui: &Ui, dot: &Response, share: f64, share_per_point: f64) -> Option<f6
     })
 }
 
-fn describe(ui: &Ui, dot: &Response, parameter: &Parameter, share: f64) {
+fn describe(ui: &Ui, dot: &Response, number: &Number, share: f64) {
     ui.ctx().accesskit_node_builder(dot.id, |node| {
         node.set_role(Role::Slider);
-        node.set_label(parameter.label);
+        node.set_label(number.label);
         node.set_numeric_value(share);
-        node.set_min_numeric_value(parameter.min);
-        node.set_max_numeric_value(parameter.max);
+        node.set_min_numeric_value(number.min);
+        node.set_max_numeric_value(number.max);
         node.set_numeric_value_step(STEP);
         for action in [Action::SetValue, Action::Increment, Action::Decrement, Action::Focus] {
             node.add_action(action);

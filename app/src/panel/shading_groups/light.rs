@@ -5,10 +5,10 @@
 
 use super::curve::{self, Shares};
 use crate::state::{Action, Item, Reading, box_of, group_of};
-use crate::widget::{Fields, fields, heading};
+use crate::widget::{Fields, heading};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::parameter as p;
+use cloudwright_core::property::{GROUP_NAME, HasLight};
 use cloudwright_core::scene::{CloudBox, CloudModel, GroupCenter, GroupLight, ModelId, ShadingGroup};
 use cloudwright_core::sprites::GroupKey;
 use egui::Ui;
@@ -30,12 +30,25 @@ struct Lit {
     center: DVec3,
 }
 
-impl Lit {
-    fn light(&mut self) -> &mut GroupLight {
+impl HasLight for Lit {
+    fn light(&self) -> &GroupLight {
+        match &self.owner {
+            Owner::Group(group) => &group.light,
+            Owner::Box(each) => &each.light,
+        }
+    }
+
+    fn light_mut(&mut self) -> &mut GroupLight {
         match &mut self.owner {
             Owner::Group(group) => &mut group.light,
             Owner::Box(each) => &mut each.light,
         }
+    }
+}
+
+impl Lit {
+    fn is_by_hand(&self) -> bool {
+        matches!(self.light().center, GroupCenter::At(_))
     }
 
     fn edit(self) -> Edit {
@@ -56,8 +69,8 @@ impl Lit {
 
 /// What stands below the list.
 pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    let mut lights = chosen(reading);
-    let Some(first) = lights.first_mut() else {
+    let lights = chosen(reading);
+    let Some(first) = lights.first() else {
         heading(ui, "Light");
         ui.weak("Select a group, a box or a sprite to shape how it takes the sun.");
         return;
@@ -78,18 +91,28 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
         if let Some((at, share)) = curve::show(ui, &before, tint) {
             let mut edits = Vec::new();
             for mut each in lights.iter().cloned() {
-                curve::set(each.light(), at, share);
+                curve::set(each.light_mut(), at, share);
                 edits.push(each.edit());
             }
             let live = ui.input(|input| input.pointer.any_down());
             actions.push(Action::Change { name: "Shape light", edits, live });
         }
         if let [Lit { model, owner: Owner::Group(group), .. }] = lights.as_slice() {
-            let edit = |group| Edit::Group(*model, ListEdit::Replace(group));
-            let name = |rows: &mut Fields<'_>, group: &mut ShadingGroup| rows.text("Group name", &mut group.name);
-            fields(ui, "Rename shading group", actions, std::slice::from_ref(group), name, edit);
+            let edit = |_, group| Edit::Group(*model, ListEdit::Replace(group));
+            let name = |fields: &mut Fields<'_, ShadingGroup>, ui: &mut Ui| {
+                GROUP_NAME.iter().for_each(|row| fields.row(ui, row, "Group name"));
+            };
+            Fields::of(&[group], reading).show(ui, "Rename shading group", actions, name, edit);
         }
-        fields(ui, "Change shading", actions, &lights, rows, Lit::edit);
+        let all: Vec<&Lit> = lights.iter().collect();
+        // A centre put by hand begins where it lies.
+        let edit = |at: usize, mut lit: Lit| {
+            if lit.is_by_hand() && !all[at].is_by_hand() {
+                lit.light_mut().center = GroupCenter::At(lit.center);
+            }
+            lit.edit()
+        };
+        Fields::of(&all, reading).show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, Lit::LIGHT), edit);
     });
 }
 
@@ -134,29 +157,4 @@ fn center_of(owner: &Owner, reading: &Reading<'_>) -> Option<DVec3> {
     let group = placed.groups.iter().find(|group| is_its(group.key))?;
     let center = ModelSpace::of(cloud).from_world(placed.origin + group.center.as_dvec3()).round();
     center.is_finite().then_some(center)
-}
-
-fn rows(rows: &mut Fields<'_>, lit: &mut Lit) {
-    let start = lit.center;
-    let light = lit.light();
-    rows.number(&p::C_MAX, &mut light.c_max);
-    rows.number(&p::C_MED, &mut light.c_med);
-    rows.number(&p::C_MIN, &mut light.c_min);
-    let mut by_hand = matches!(light.center, GroupCenter::At(_));
-    let was_by_hand = by_hand;
-    rows.check("Centre by hand", "The point that the group's sides are seen from stays where it is put.", &mut by_hand);
-    if by_hand != was_by_hand {
-        light.center = if by_hand { GroupCenter::At(start) } else { GroupCenter::Mean };
-    }
-    match &mut light.center {
-        GroupCenter::At(point) => rows.vector("Group centre", &p::POSITION, point),
-        center => {
-            let before = if let GroupCenter::Pulled(share) = center { *share } else { 0.0 };
-            let mut share = before;
-            rows.number(&p::PULL, &mut share);
-            if share != before {
-                *center = if share == 0.0 { GroupCenter::Mean } else { GroupCenter::Pulled(share) };
-            }
-        }
-    }
 }

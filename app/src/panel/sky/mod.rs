@@ -8,14 +8,13 @@ mod sun_path;
 use crate::command::Command;
 use crate::state::{Action, Reading, ViewChange};
 use crate::theme::{self, icon};
-use crate::widget::{Fields, fields, heading, name_it, number_field};
+use crate::widget::{Fields, heading, name_it, number_field};
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::document::Edit;
 use cloudwright_core::math::clock;
-use cloudwright_core::parameter::{self as p, Parameter};
+use cloudwright_core::property::{Number, TIME_OF_DAY_H};
 use cloudwright_core::scene::{DailyKey, DailyTable, Sky, Sun};
 use egui::{ScrollArea, Slider, SliderClamping, Ui};
-use std::slice::from_ref;
 use strip::Strip;
 use sun_path::SunPath;
 
@@ -23,13 +22,11 @@ use sun_path::SunPath;
 const TIME_STEP_H: f64 = 1.0 / 30.0;
 /// Of its field, points.
 const SPEED_WIDTH: f32 = 92.0;
-const TIME_SPEED: Parameter = Parameter {
-    name: "time_speed",
+const TIME_SPEED: Number = Number {
     label: "Speed of time",
     unit: "h/min",
     min: 0.1,
     max: 600.0,
-    default: 24.0,
     doc: "Hours of the scene in a minute of yours.",
 };
 
@@ -95,18 +92,18 @@ fn tried_out(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
 
 /// A slider over the day.
 fn time_slider(ui: &mut Ui, hour: &mut f64) -> bool {
-    let parameter = &p::TIME_OF_DAY_H;
-    let slider = Slider::new(hour, parameter.min..=parameter.max)
+    let number = &TIME_OF_DAY_H;
+    let slider = Slider::new(hour, number.min..=number.max)
         .step_by(TIME_STEP_H)
         // Else it would round an hour that no hand has touched, and call that a change.
         .clamping(SliderClamping::Edits)
         .custom_formatter(|hour, _| clock(hour))
         .custom_parser(|text| crate::units::time_of_day(text).ok());
     let response = ui.add(slider);
-    name_it(ui, &response, parameter.label);
+    name_it(ui, &response, number.label);
     let changed = response.changed();
-    response.on_hover_text(parameter.doc);
-    changed && parameter.allows(*hour)
+    response.on_hover_text(number.doc);
+    changed && number.allows(*hour)
 }
 
 /// The two tables over the day.
@@ -153,55 +150,13 @@ fn without_alpha(table: &DailyTable<Rgba>) -> DailyTable<Rgb> {
 
 fn sun(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let scene = reading.session.scene();
-    fields(ui, "Sun", actions, from_ref(&scene.sun), sun_rows, Edit::Sun);
-    if scene.sun != Sun::ByPlace {
-        return;
-    }
-    fields(
-        ui,
-        "Place",
-        actions,
-        from_ref(&scene.place),
-        |rows, place| {
-            rows.number(&p::LATITUDE_DEG, &mut place.latitude_deg);
-            rows.number(&p::LONGITUDE_DEG, &mut place.longitude_deg);
-            rows.number(&p::UTC_OFFSET_H, &mut place.utc_offset_h);
-            let mut date = place.date.to_string();
-            rows.text("Date", &mut date);
-            // What is no day is not taken over; the field shows the old one again.
-            place.date = date.parse().unwrap_or(place.date);
-        },
-        Edit::Place,
-    );
-}
-
-fn sun_rows(rows: &mut Fields<'_>, sun: &mut Sun) {
-    let mut by_hand = *sun != Sun::ByPlace;
-    rows.check("Sun by hand", "Where the sun stands, whatever place and time say.", &mut by_hand);
-    *sun = match (by_hand, *sun) {
-        (false, _) => Sun::ByPlace,
-        (true, Sun::ByPlace) => Sun::ByHand { heading_deg: 180.0, elevation_deg: p::ELEVATION_DEG.default },
-        (true, by_hand) => by_hand,
-    };
-    if let Sun::ByHand { heading_deg, elevation_deg } = sun {
-        rows.labelled("Sun heading", &p::HEADING_DEG, heading_deg);
-        rows.labelled("Sun elevation", &p::ELEVATION_DEG, elevation_deg);
+    Fields::of(&[&scene.sun], reading).show(ui, "Sun", actions, Fields::all, |_, sun| Edit::Sun(sun));
+    if scene.sun == Sun::ByPlace {
+        Fields::of(&[&scene.place], reading).show(ui, "Place", actions, Fields::all, |_, place| Edit::Place(place));
     }
 }
 
 fn air(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    fields(
-        ui,
-        "Sky",
-        actions,
-        from_ref(&reading.session.scene().sky),
-        |rows, sky| {
-            rows.number(&p::EXPOSURE_EV, &mut sky.exposure_ev);
-            rows.number(&p::TURBIDITY, &mut sky.turbidity);
-            rows.number(&p::SKY_GAIN, &mut sky.gain);
-            rows.number(&p::HAZE_LENGTH_M, &mut sky.haze_length_m);
-            rows.number(&p::INSIDE_DENSITY, &mut sky.inside_density);
-        },
-        Edit::Sky,
-    );
+    let sky = &reading.session.scene().sky;
+    Fields::of(&[sky], reading).show(ui, "Sky", actions, Fields::all, |_, sky| Edit::Sky(sky));
 }

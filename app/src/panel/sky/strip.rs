@@ -9,7 +9,7 @@ use crate::theme::{self, icon};
 use crate::widget::{Handle, Handled, brightness_field, checkerboard, color_field, color32, name_it, number_field};
 use cloudwright_core::color::Rgba;
 use cloudwright_core::math::clock;
-use cloudwright_core::parameter::{ALPHA, Parameter, TIME_OF_DAY_H};
+use cloudwright_core::property::{ALPHA, Number, TIME_OF_DAY_H};
 use cloudwright_core::scene::{DailyKey, DailyTable};
 use egui::{
     Align, Align2, Button, Color32, CursorIcon, DragValue, FontId, Id, Key, Layout, Mesh, Modifiers, Pos2, Rect,
@@ -26,7 +26,7 @@ const AXIS_HEIGHT: f32 = 15.0;
 const TIP: f32 = 5.0;
 /// Of an arrow key, hours.
 const STEP_H: f64 = 0.1;
-const KEY_HOUR: Parameter = Parameter { doc: "When this colour holds.", ..TIME_OF_DAY_H };
+const KEY_HOUR: Number = Number { doc: "When this colour holds.", ..TIME_OF_DAY_H };
 
 /// What a strip shows.
 pub(super) struct Strip<'a> {
@@ -137,7 +137,7 @@ impl Strip<'_> {
             id: self.handle_id(ui, index),
             rect: Rect::from_min_size(pos2(at_hour(band, key.hour) - TAG.x * 0.5, band.bottom()), TAG),
             name: &format!("{} key {}", self.name, index + 1),
-            parameter: &KEY_HOUR,
+            number: &KEY_HOUR,
             value: key.hour,
             step: STEP_H,
         }

@@ -4,7 +4,7 @@ use crate::state::Reading;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::parameter::{BOX_SIZE, SPRITE_SIZE};
+use cloudwright_core::property::{BOX_SIZE, SPRITE_SIZE};
 use cloudwright_core::scene::{BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene};
 use glam::{DQuat, DVec3};
 

@@ -4,17 +4,15 @@ use super::{LensSource, paint};
 use crate::theme::{self, icon};
 use crate::viewport::overlay;
 use crate::widget::Handle;
-use cloudwright_core::parameter::Parameter;
+use cloudwright_core::property::Number;
 use egui::{Align2, CursorIcon, FontId, Painter, Rect, Stroke, Ui, pos2, vec2};
 
 /// Where the handle stands.
-const PLACE: Parameter = Parameter {
-    name: "wipe",
+const PLACE: Number = Number {
     label: "Wipe",
     unit: "",
     min: 0.0,
     max: 1.0,
-    default: 0.5,
     doc: "Where the picture ends and the truth begins, from left to right.",
 };
 /// Of an arrow key.
@@ -32,7 +30,7 @@ impl LensSource {
             id: ui.scope_id().with("wipe"),
             rect: line(self.wipe).intersect(rect),
             name: PLACE.label,
-            parameter: &PLACE,
+            number: &PLACE,
             value: self.wipe,
             step: STEP,
         }

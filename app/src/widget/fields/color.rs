@@ -2,11 +2,11 @@
 
 use super::{number_field, picker};
 use cloudwright_core::color::{Rgb, Rgba, linear_from_srgb, srgb_from_linear};
-use cloudwright_core::parameter::{self, Parameter};
+use cloudwright_core::property::{self, Number};
 use egui::{Color32, Ui};
 
-const BRIGHTNESS: Parameter =
-    Parameter { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..parameter::COLOR };
+const BRIGHTNESS: Number =
+    Number { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..property::COLOR };
 
 fn set_brightness(value: &mut Rgb, brightness: f64) {
     let before = f64::from(brightness_of(*value));
@@ -45,7 +45,7 @@ pub(crate) fn color32(color: Rgba) -> Color32 {
 pub(crate) fn color_field(ui: &mut Ui, label: &str, value: &mut Rgb) -> bool {
     let mut bytes = srgb_of(*value);
     let response = picker::button(ui, label, &mut bytes);
-    let changed = response.on_hover_text(parameter::COLOR.doc).changed();
+    let changed = response.on_hover_text(property::COLOR.doc).changed();
     if changed {
         let [r, g, b] = bytes.map(|c| linear_from_srgb(f32::from(c) / 255.0) * brightness_of(*value));
         *value = Rgb::new(r, g, b);

@@ -1,64 +1,91 @@
 //! The one field for a number.
 
-use super::{Values, name_it, refusal};
+use super::{Fields, MIXED, MIXED_DOC, name_it, named, refusal};
 use crate::theme;
-use cloudwright_core::parameter::Parameter;
+use cloudwright_core::property::{Kind, Number, Parts, Row, Value};
 use egui::{DragValue, Response, Ui};
 use std::cell::Cell;
 
-impl Values<'_> {
-    /// A number.
-    pub(crate) fn number(&mut self, name: &str, parameter: &Parameter, value: &mut f64) {
-        self.value(name, value, |ui, value| number_field(ui, name, parameter, value, false));
-    }
-
-    /// A whole number.
-    pub(crate) fn whole(&mut self, name: &str, parameter: &Parameter, value: &mut u32) {
-        self.value(name, value, |ui, value| {
-            let mut number = f64::from(*value);
-            let changed = number_field(ui, name, parameter, &mut number, true);
-            *value = number as u32;
-            changed
+impl<T: Clone + PartialEq> Fields<'_, T> {
+    /// A number, or several that belong together.
+    pub(super) fn numbers(&mut self, ui: &mut Ui, row: &'static Row<T>, label: &str) {
+        let property = &row.property;
+        let Some(number) = property.kind.number() else { return };
+        let whole = matches!(property.kind, Kind::Integer(_));
+        named(ui, label, property.doc, |ui| {
+            for (part, part_label) in property.parts.labels().iter().enumerate() {
+                if part > 0 && property.parts == Parts::Ends {
+                    ui.label("to");
+                }
+                let Some(Value::Number(mut value)) = self.things.first().and_then(|first| row.value(first, part))
+                else {
+                    continue;
+                };
+                let mixed = self.differ(|thing| row.value(thing, part));
+                let name = format!("{label} {part_label}");
+                if field(ui, name.trim_end(), number, &mut value, Look { whole, mixed }) {
+                    self.set(row, part, Value::Number(if whole { value.trunc() } else { value }));
+                }
+            }
         });
     }
 }
 
-/// A field to drag or type in, within the parameter's range. Whether it was changed.
+/// A field to drag or type in, within the number's range. Whether it was changed.
 ///
 /// What is typed and lies outside is not taken: the field keeps its value and says for a while which range it has.
-pub(crate) fn number_field(ui: &mut Ui, name: &str, parameter: &Parameter, value: &mut f64, whole: bool) -> bool {
+pub(crate) fn number_field(ui: &mut Ui, name: &str, number: &Number, value: &mut f64, whole: bool) -> bool {
+    field(ui, name, number, value, Look { whole, mixed: false })
+}
+
+/// How a number is shown.
+#[derive(Clone, Copy)]
+struct Look {
+    /// Without decimals.
+    whole: bool,
+    /// Not at all: it stands for several that differ.
+    mixed: bool,
+}
+
+fn field(ui: &mut Ui, name: &str, number: &Number, value: &mut f64, Look { whole, mixed }: Look) -> bool {
     let before = *value;
     let refused = Cell::new(None);
+    // Of mixed values, the one that is shown may be typed to be had by all.
+    let taken = Cell::new(false);
     let mut field = DragValue::new(value)
-        .range(parameter.min..=parameter.max)
+        .range(number.min..=number.max)
         .clamp_existing_to_range(false)
         .update_while_editing(false)
         .custom_parser(|text| {
-            let typed = typed_number(text, parameter.unit)?;
-            if !parameter.allows(typed) {
+            let typed = typed_number(text, number.unit)?;
+            let is_allowed = number.allows(typed);
+            if !is_allowed {
                 refused.set(Some(typed));
             }
-            parameter.allows(typed).then_some(typed)
+            taken.set(is_allowed);
+            is_allowed.then_some(typed)
         })
-        .speed(speed(parameter, before, whole))
+        .speed(speed(number, before, whole))
         .max_decimals(if whole { 0 } else { 3 });
-    if !parameter.unit.is_empty() {
-        let space = if parameter.unit == "°" { "" } else { " " };
-        field = field.suffix(format!("{space}{}", parameter.unit));
+    if mixed {
+        field = field.custom_formatter(|_, _| MIXED.into());
+    } else if !number.unit.is_empty() {
+        let space = if number.unit == "°" { "" } else { " " };
+        field = field.suffix(format!("{space}{}", number.unit));
     }
     let response = ui.add_sized([theme::NUMBER_WIDTH, ui.spacing().interact_size.y], field);
     name_it(ui, &response, name);
     // Screen readers hand values over as they are.
-    if !parameter.allows(*value) {
+    if !number.allows(*value) {
         refused.set(Some(*value));
         *value = before;
     }
     if let Some(typed) = refused.get() {
-        refusal::tell(ui, &response, format!("{typed} is outside {}", range_of(parameter)));
+        refusal::tell(ui, &response, format!("{typed} is outside {}", range_of(number)));
     }
-    let changed = response.changed() && *value != before;
+    let changed = response.changed() && *value != before || mixed && taken.get();
     if !refusal::show(ui, &response, changed) {
-        describe(response, name, parameter);
+        describe(response, name, number, mixed);
     }
     changed
 }
@@ -69,29 +96,32 @@ fn typed_number(text: &str, unit: &str) -> Option<f64> {
     text.strip_suffix(unit).unwrap_or(&text).parse().ok()
 }
 
-fn range_of(parameter: &Parameter) -> String {
-    let Parameter { min, max, unit, .. } = parameter;
+fn range_of(number: &Number) -> String {
+    let Number { min, max, unit, .. } = number;
     format!("{min} to {max} {unit}").trim_end().into()
 }
 
 /// What a point of dragging changes: a length by its own size, anything else by its range.
-fn speed(parameter: &Parameter, value: f64, whole: bool) -> f64 {
+fn speed(number: &Number, value: f64, whole: bool) -> f64 {
     if whole {
         return 0.25;
     }
-    match parameter.unit {
+    match number.unit {
         "m" => (value.abs() * 0.01).clamp(0.1, 1e4),
         "°" => 0.5,
         "h" => 0.02,
         "s" | "km/h" | "kt" => (value.abs() * 0.01).clamp(0.05, 100.0),
         "EV" => 0.02,
-        _ => ((parameter.max - parameter.min) * 0.002).min(0.01),
+        _ => ((number.max - number.min) * 0.002).min(0.01),
     }
 }
 
-fn describe(response: Response, name: &str, parameter: &Parameter) {
+fn describe(response: Response, name: &str, number: &Number, mixed: bool) {
     response.on_hover_ui(|ui| {
-        ui.label(format!("{name}: {}\n{}", parameter.doc, range_of(parameter)));
+        if mixed {
+            ui.label(MIXED_DOC);
+        }
+        ui.label(format!("{name}: {}\n{}", number.doc, range_of(number)));
     });
 }
 

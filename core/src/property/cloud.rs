@@ -1,0 +1,71 @@
+//! Placed clouds.
+
+use super::described::Described;
+use super::row::{Row, angle, choice, number, numbers, range_of, seed, setting, text, thing, vector};
+use super::setting::{Choice, Kind, Numbers, Setting, Value};
+use super::{CLOUD_SCALE, HEADING_DEG, Number, POSITION};
+use crate::scene::{Cloud, Formation, FormationChange};
+
+const FORMING: &str = "forming";
+const DISSIPATING: &str = "dissipating";
+const CHANGES: &[Choice] =
+    &[Choice { name: FORMING, label: "forms" }, Choice { name: DISSIPATING, label: "dissipates" }];
+
+/// Of a whole day's length at most, seconds.
+const fn seconds(label: &'static str, doc: &'static str) -> Number {
+    Number::new(label, &(0.0..=86_400.0), "s", doc)
+}
+const START_S: Number =
+    seconds("Begins at", "When the cloud begins to change, counted from the start of play or flight.");
+const CORE_S: Number = seconds("Core takes", "How long the cloud's core takes to form or to dissipate.");
+const EDGES_S: Number = seconds("Edges take", "How long the cloud's edges take to form or to dissipate.");
+const THRESHOLD: Number =
+    Number::new("Edges from", &(0.01..=1.0), "", "Opacity of the core at which the edges begin to form, or have gone.");
+
+impl Described for Cloud {
+    const TABLES: &'static [&'static [Row<Self>]] = &[&[
+        setting!(name: text("Name", "For people.")),
+        setting!(model: thing("Model", "What is placed.", Kind::Model)),
+        numbers!(position: vector(POSITION)),
+        numbers!(heading_deg: angle(HEADING_DEG)),
+        numbers!(scale: number(CLOUD_SCALE)),
+        setting!(seed: seed("Seed", "Another number strews this cloud's sprites anew.").or("the model's")),
+        Row::of(
+            "formation.change",
+            choice(
+                "Formation",
+                "By the clock in the Flight panel: a cloud forms from its core, and dissolves from its edges.",
+                CHANGES,
+            )
+            .or("always whole"),
+            |cloud| Some(cloud.formation.map_or(Value::None, |formation| Value::Text(name(formation.change).into()))),
+            |cloud, value| {
+                let change = Option::<String>::from_value(value)?.map(|name| change_named(&name));
+                cloud.formation = match change {
+                    Some(change) => Some(Formation { change: change?, ..cloud.formation.unwrap_or_default() }),
+                    None => None,
+                };
+                Some(())
+            },
+        ),
+        numbers!(formation?.start_s: number(START_S)),
+        numbers!(formation?.core_s: number(CORE_S)),
+        numbers!(formation?.edges_s: number(EDGES_S)),
+        numbers!(formation?.threshold: number(THRESHOLD)),
+    ]];
+}
+
+const fn name(change: FormationChange) -> &'static str {
+    match change {
+        FormationChange::Forming => FORMING,
+        FormationChange::Dissipating => DISSIPATING,
+    }
+}
+
+fn change_named(name: &str) -> Option<FormationChange> {
+    match name {
+        FORMING => Some(FormationChange::Forming),
+        DISSIPATING => Some(FormationChange::Dissipating),
+        _ => None,
+    }
+}

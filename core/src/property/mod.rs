@@ -1,0 +1,34 @@
+//! What can be set in a scene: one table, a row for each value.
+//!
+//! A row says what a value is called in the file and on the screen, what kind it is, what it may be and what it means,
+//! and reads and sets it. The checks of ranges walk the rows, the inspector shows them, and whatever changes values by
+//! name finds them by [`Address`]: `cloud/7/heading_deg`. The rows of each kind of thing are a file here. Things
+//! themselves are no properties: to add or remove one is an edit of a list.
+
+mod address;
+mod aircraft;
+mod camera;
+mod cloud;
+mod cloud_box;
+mod described;
+mod light;
+mod model;
+mod number;
+mod owner;
+mod path;
+mod row;
+mod scene;
+mod setting;
+mod sky;
+mod walk;
+
+pub use address::{Address, NoSuchProperty, Table, tables};
+pub use cloud_box::{SHADING as BOX_SHADING, SHAPE as BOX_SHAPE};
+pub use described::{Described, Visitor};
+pub use light::HasLight;
+pub use model::NAME as GROUP_NAME;
+pub use number::*;
+pub use owner::Owner;
+pub use row::{Property, Refusal, Row};
+pub use setting::{Choice, Kind, Parts, Value};
+pub use walk::{addresses, place, value, walk};

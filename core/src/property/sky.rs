@@ -1,0 +1,63 @@
+//! Light over the day, air, exposure and ground.
+
+use super::described::{Described, Visitor, enter};
+use super::owner::Owner;
+use super::row::{Row, color, number, numbers, range_of};
+use super::setting::Numbers;
+use super::{ALPHA, COLOR, Number, POSITION, TIME_OF_DAY_H};
+use crate::color::{Rgb, Rgba};
+use crate::scene::{DailyKey, Ground, Sky};
+use std::fmt::Arguments;
+
+const EXPOSURE_EV: Number = Number::new("Exposure", &(-20.0..=20.0), "EV", "Each step doubles the light.");
+const TURBIDITY: Number = Number::new("Turbidity", &(1.0..=10.0), "", "How hazy the sky is: 2 very clear, 10 milky.");
+const GAIN: Number =
+    Number::new("Sky gain", &(0.0..=100.0), "", "Scales the sky so that it meets the clouds' colours.");
+const HAZE_LENGTH_M: Number =
+    Number::new("Haze length", &(10.0..=1e9), "m", "Distance over which 63 % of a colour turns to the horizon's.");
+const INSIDE_DENSITY: Number = Number::new(
+    "Inside density",
+    &(0.0..=4.0),
+    "",
+    "How dense the air inside a cloud looks: 0 for none, 1 as dense as its sprites.",
+);
+
+impl Described for Sky {
+    const TABLES: &'static [&'static [Row<Self>]] = &[&[
+        numbers!(exposure_ev: number(EXPOSURE_EV)),
+        numbers!(turbidity: number(TURBIDITY)),
+        numbers!(gain: number(GAIN)),
+        numbers!(haze_length_m: number(HAZE_LENGTH_M)),
+        numbers!(inside_density: number(INSIDE_DENSITY)),
+    ]];
+
+    fn enter_parts(&self, _: Owner, place: Arguments<'_>, visitor: &mut impl Visitor) {
+        for (i, key) in self.ambient.keys.iter().enumerate() {
+            enter(Owner::AmbientKey(i), format_args!("{place}.ambient[{i}]"), key, visitor);
+        }
+        for (i, key) in self.directional.keys.iter().enumerate() {
+            enter(Owner::DirectionalKey(i), format_args!("{place}.directional[{i}]"), key, visitor);
+        }
+    }
+}
+
+impl Described for DailyKey<Rgba> {
+    const TABLES: &'static [&'static [Row<Self>]] = &[&[
+        numbers!(hour: number(TIME_OF_DAY_H)),
+        numbers!("value", value.rgb: color(COLOR)),
+        numbers!(value.a: number(ALPHA)),
+    ]];
+}
+
+impl Described for DailyKey<Rgb> {
+    const TABLES: &'static [&'static [Row<Self>]] =
+        &[&[numbers!(hour: number(TIME_OF_DAY_H)), numbers!(value: color(COLOR))]];
+}
+
+impl Described for Ground {
+    const TABLES: &'static [&'static [Row<Self>]] = &[&[
+        numbers!(altitude_m: number(POSITION.called("Altitude"))),
+        numbers!(dark: color(COLOR.called("Dark"))),
+        numbers!(bright: color(COLOR.called("Bright"))),
+    ]];
+}
