@@ -11,10 +11,9 @@ pub use plan::Plan;
 
 use crate::change::Change;
 use crate::scene::{Cloud, CloudModel, ModelId, Scene};
-use crate::sprites::{PlacedCloud, PopulatedModel};
+use crate::sprites::{PlacedCloud, PopulatedModel, Shapes};
 use crate::version::Version;
 use crate::watch::Watch;
-use glam::DVec3;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -25,6 +24,7 @@ pub struct Derived {
     /// What each of the clouds was placed from.
     sources: Vec<Source>,
     version: Version,
+    shapes: Shapes,
     populated: FxHashMap<Key, Populated>,
     work: WorkDone,
 }
@@ -42,17 +42,9 @@ struct Populated {
 /// All that a placed cloud comes from.
 #[derive(Debug, Clone)]
 struct Source {
-    stand: Stand,
-    populated: Populated,
-}
-
-/// How a cloud's copy of its model stands in the world.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Stand {
-    position: DVec3,
-    heading_deg: f64,
-    scale: f64,
+    cloud: Arc<Cloud>,
     ground_altitude_m: Option<f64>,
+    populated: Populated,
 }
 
 /// How often something was computed since the start.
@@ -62,7 +54,7 @@ pub struct WorkDone {
     pub models_populated: u64,
     /// Clouds placed.
     pub clouds_placed: u64,
-    /// Clouds that kept their sprites and were given other colour levels, another name or another formation.
+    /// Clouds that kept their sprites and were given another place, light, colour levels, name or formation.
     pub clouds_dressed: u64,
 }
 
@@ -73,6 +65,7 @@ impl Default for Derived {
             clouds: Vec::new(),
             sources: Vec::new(),
             version: Version::fresh(),
+            shapes: Shapes::of(&[]),
             populated: FxHashMap::default(),
             work: WorkDone::default(),
         }
@@ -102,6 +95,12 @@ impl Derived {
         self.version
     }
 
+    /// Of this state of the clouds, what a view's memory is about: the same through whatever leaves all sprites where
+    /// they are.
+    pub fn shapes(&self) -> &Shapes {
+        &self.shapes
+    }
+
     /// What has been computed so far.
     pub fn work_done(&self) -> WorkDone {
         self.work
@@ -119,12 +118,5 @@ impl Derived {
         {
             *self = updated;
         }
-    }
-}
-
-impl Stand {
-    fn of(cloud: &Cloud, ground_altitude_m: Option<f64>) -> Self {
-        let Cloud { position, heading_deg, scale, .. } = *cloud;
-        Self { position, heading_deg, scale, ground_altitude_m }
     }
 }

@@ -60,7 +60,7 @@ impl<'a> Frame<'a> {
         let [width, height] = size.map(|length| length * rules.pixels_a_pixel());
         let view = View::new(camera, width, height);
         let subset = &Subset::new(rules.detail, clouds, atlas);
-        let mut poses = Poses::new(&rules.facing, clouds, clouds_version, &view, &history.facing);
+        let mut poses = Poses::new(&rules.facing, clouds, derived.shapes(), &view, &history.facing);
         if !subset.is_all() {
             poses.retain(|cloud, at| subset.has(cloud, &clouds[cloud].placed.sprites[at as usize], at));
         }

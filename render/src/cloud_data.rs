@@ -1,6 +1,8 @@
 //! The scene's clouds on the GPU.
 //!
-//! On the edit clock: sprites, groups and clouds, in data textures, written when the clouds' version is another.
+//! On the edit clock: sprites, groups and clouds, in data textures. When the clouds' version is another, what differs
+//! from what the textures hold is written: a renamed or moved cloud sends nothing, a recoloured one its own texels, one
+//! with more sprites or fewer its own and those of all behind it.
 //! On the camera clock: which sprites to draw in what order, the poses of those near the eye, and of each cloud how the
 //! moment has it ([`CloudNow`]) and where it lies from the eye; that difference is taken in f64 here, so that a scene 1,000 km from the
 //! origin is as sharp as one at it.
@@ -16,6 +18,7 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::sprites::{Group, PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
 use cloudwright_core::weather::CloudNow;
+use std::sync::Arc;
 
 /// What the vertex shader is given of a sprite: cloud index, sprite address, and pose, if it has one of its own.
 pub(crate) type Instance = [u32; 3];
@@ -40,7 +43,7 @@ pub(crate) struct GroupTexels {
     unused: [f32; 2],
 }
 
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
 pub(crate) struct CloudTexels {
     center: [f32; 3],
@@ -76,6 +79,16 @@ pub(crate) struct PoseTexels {
     unused: f32,
 }
 
+/// A cloud as the textures hold it. Sprites and groups are told apart by where they are kept.
+#[derive(Debug)]
+struct Uploaded {
+    sprites: Arc<[Sprite]>,
+    groups: Arc<[Group]>,
+    cloud: CloudTexels,
+    first_sprite: usize,
+    first_group: usize,
+}
+
 /// All that the sprites pass reads but the atlas.
 #[derive(Debug)]
 pub(crate) struct CloudData {
@@ -88,9 +101,9 @@ pub(crate) struct CloudData {
     pub(crate) order: VertexBuffer,
     /// The same in the order that fades out.
     pub(crate) older_order: VertexBuffer,
-    /// Each cloud's first sprite and how many it has.
-    sprites_of_cloud: Vec<(u32, u32)>,
-    uploaded: Option<Version>,
+    /// What sprites, groups and clouds hold, and of which version that is; nothing after an error.
+    uploaded: Vec<Uploaded>,
+    version: Option<Version>,
     /// By the last update.
     pub(crate) bytes_uploaded: u64,
 }
@@ -105,8 +118,8 @@ impl CloudData {
             poses: DataTexture::new(gpu, "poses"),
             order: VertexBuffer::new(gpu, "the list of sprites in view"),
             older_order: VertexBuffer::new(gpu, "the list of sprites in view"),
-            sprites_of_cloud: Vec::new(),
-            uploaded: None,
+            uploaded: Vec::new(),
+            version: None,
             bytes_uploaded: 0,
         }
     }
@@ -118,10 +131,10 @@ impl CloudData {
     pub(crate) fn update(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<bool, RenderError> {
         let mut renewed = false;
         self.bytes_uploaded = 0;
-        if self.uploaded != Some(frame.clouds_version) {
-            self.uploaded = None;
+        if self.version != Some(frame.clouds_version) {
+            self.version = None;
             renewed |= self.write_clouds(gpu, frame.clouds)?;
-            self.uploaded = Some(frame.clouds_version);
+            self.version = Some(frame.clouds_version);
         }
         let moments: Vec<MomentTexels> =
             frame.now.clouds.iter().map(|cloud| moment_texels(cloud, &frame.view)).collect();
@@ -141,18 +154,43 @@ impl CloudData {
     }
 
     fn write_clouds(&mut self, gpu: &Gpu, clouds: &[PlacedCloud]) -> Result<bool, RenderError> {
-        let (mut sprites, mut groups) = (Vec::new(), Vec::new());
-        self.sprites_of_cloud.clear();
-        for cloud in clouds {
-            let first_group = groups.len() as u32;
-            self.sprites_of_cloud.push((sprites.len() as u32, cloud.sprites.len() as u32));
-            sprites.extend(cloud.sprites.iter().map(|sprite| sprite_texels(sprite, first_group)));
-            groups.extend(cloud.groups.iter().map(group_texels));
-        }
-        let clouds: Vec<CloudTexels> = clouds.iter().map(cloud_texels).collect();
-        self.bytes_uploaded +=
-            (size_of_val(sprites.as_slice()) + size_of_val(groups.as_slice()) + size_of_val(clouds.as_slice())) as u64;
-        Ok(self.sprites.write(gpu, &sprites)? | self.groups.write(gpu, &groups)? | self.clouds.write(gpu, &clouds)?)
+        let before = std::mem::take(&mut self.uploaded);
+        let (mut first_sprite, mut first_group) = (0, 0);
+        let uploaded = clouds.iter().map(|cloud| {
+            let (sprites, groups) = (Arc::clone(&cloud.sprites), Arc::clone(&cloud.groups));
+            let firsts = (first_sprite, first_group);
+            (first_sprite, first_group) = (first_sprite + sprites.len(), first_group + groups.len());
+            Uploaded { sprites, groups, cloud: cloud_texels(cloud), first_sprite: firsts.0, first_group: firsts.1 }
+        });
+        let after: Vec<Uploaded> = uploaded.collect();
+        let new_sprites = self.sprites.reserve::<SpriteTexels>(gpu, first_sprite)?;
+        let new_groups = self.groups.reserve::<GroupTexels>(gpu, first_group)?;
+        let new_clouds = self.clouds.reserve::<CloudTexels>(gpu, after.len())?;
+        // What is at the same place as before, in a texture that is still the same.
+        let known = |index: usize, is_new: bool| before.get(index).filter(|_| !is_new);
+        let each = || after.iter().enumerate();
+        let sprites = each().map(|(index, now)| {
+            let is_known = known(index, new_sprites).is_some_and(|old| {
+                Arc::ptr_eq(&old.sprites, &now.sprites)
+                    && (old.first_sprite, old.first_group) == (now.first_sprite, now.first_group)
+            });
+            let first_group = now.first_group as u32;
+            (now.first_sprite, is_known, now.sprites.iter().map(move |sprite| sprite_texels(sprite, first_group)))
+        });
+        let groups = each().map(|(index, now)| {
+            let is_known = known(index, new_groups)
+                .is_some_and(|old| Arc::ptr_eq(&old.groups, &now.groups) && old.first_group == now.first_group);
+            (now.first_group, is_known, now.groups.iter().map(group_texels))
+        });
+        let clouds = each().map(|(index, now)| {
+            let is_known = known(index, new_clouds).is_some_and(|old| old.cloud == now.cloud);
+            (index, is_known, std::iter::once(now.cloud))
+        });
+        self.bytes_uploaded += write_unknown(gpu, &self.sprites, sprites)
+            + write_unknown(gpu, &self.groups, groups)
+            + write_unknown(gpu, &self.clouds, clouds);
+        self.uploaded = after;
+        Ok(new_sprites | new_groups | new_clouds)
     }
 
     /// The list's sprites. Those that their run fades have poses of their own, which are added to `poses`.
@@ -161,8 +199,9 @@ impl CloudData {
         for (sprites, fade) in list.sprite_runs() {
             for drawn in sprites {
                 // A list of other clouds than the frame's would be a fault of the caller's; it draws what there is.
-                let Some((first, count)) = self.sprites_of_cloud.get(drawn.cloud as usize).copied() else { continue };
-                if drawn.sprite >= count {
+                let Some(cloud) = self.uploaded.get(drawn.cloud as usize) else { continue };
+                let sprite = drawn.sprite as usize;
+                if sprite >= cloud.sprites.len() {
                     continue;
                 }
                 let mut pose = drawn.pose;
@@ -171,11 +210,38 @@ impl CloudData {
                     pose = poses.len() as u32;
                     poses.push(pose_texels(&Pose { fade: whole.fade * fade, ..whole }));
                 }
-                instances.push([drawn.cloud, first + drawn.sprite, pose]);
+                instances.push([drawn.cloud, (cloud.first_sprite + sprite) as u32, pose]);
             }
         }
         instances
     }
+}
+
+/// Writes those parts of `table` that it does not hold yet, neighbours at once: where each begins, whether it is known,
+/// and its elements. How many bytes that were.
+fn write_unknown<T: bytemuck::Pod, I: Iterator<Item = T>>(
+    gpu: &Gpu,
+    table: &DataTexture,
+    parts: impl Iterator<Item = (usize, bool, I)>,
+) -> u64 {
+    let (mut run, mut begins_at, mut bytes) = (Vec::new(), 0, 0);
+    let mut write = |begins_at: usize, run: &mut Vec<T>| {
+        table.write_at(gpu, begins_at, run);
+        bytes += size_of_val(run.as_slice()) as u64;
+        run.clear();
+    };
+    for (first, is_known, elements) in parts {
+        if is_known {
+            write(begins_at, &mut run);
+        } else {
+            if run.is_empty() {
+                begins_at = first;
+            }
+            run.extend(elements);
+        }
+    }
+    write(begins_at, &mut run);
+    bytes
 }
 
 fn sprite_texels(sprite: &Sprite, first_group: u32) -> SpriteTexels {

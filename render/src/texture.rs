@@ -5,6 +5,7 @@ use crate::{Gpu, RenderError};
 /// A data texture's rows have 2 to this many texels: every device has textures that wide.
 pub(crate) const DATA_ROW_BITS: u32 = 11;
 const DATA_ROW: usize = 1 << DATA_ROW_BITS;
+const TEXEL_BYTES: usize = size_of::<[u32; 4]>();
 
 /// A texture to draw into, to read in a shader and to copy from.
 #[derive(Debug)]
@@ -84,9 +85,17 @@ impl DataTexture {
     /// # Errors
     /// If there are more texels than a texture holds.
     pub(crate) fn write<T: bytemuck::Pod>(&mut self, gpu: &Gpu, table: &[T]) -> Result<bool, RenderError> {
-        let bytes: &[u8] = bytemuck::cast_slice(table);
-        let row_bytes = DATA_ROW * size_of::<[u32; 4]>();
-        let rows = bytes.len().div_ceil(row_bytes);
+        let is_new = self.reserve::<T>(gpu, table.len())?;
+        self.write_at(gpu, 0, table);
+        Ok(is_new)
+    }
+
+    /// Makes room for so many elements. True if texture and view are new ones, which hold nothing.
+    ///
+    /// # Errors
+    /// If there are more texels than a texture holds.
+    pub(crate) fn reserve<T: bytemuck::Pod>(&mut self, gpu: &Gpu, elements: usize) -> Result<bool, RenderError> {
+        let rows = (elements * size_of::<T>()).div_ceil(DATA_ROW * TEXEL_BYTES);
         let limit = gpu.device().limits().max_texture_dimension_2d;
         if rows > limit as usize {
             return Err(RenderError::TooLarge {
@@ -99,30 +108,45 @@ impl DataTexture {
         }
         let grow = rows as u32 > self.texture.height();
         if grow {
-            (self.texture, self.view) = Self::with_rows(gpu, self.label, rows as u32);
+            // What grows once may grow again: a drag must not make a texture at each of its steps.
+            let room = if self.texture.height() > 1 { rows / 2 } else { 0 };
+            (self.texture, self.view) = Self::with_rows(gpu, self.label, (rows + room).min(limit as usize) as u32);
         }
-        let whole = bytes.len() / row_bytes;
-        let (body, rest) = bytes.split_at(whole * row_bytes);
-        self.write_rows(gpu, body, 0, DATA_ROW as u32, whole as u32);
-        self.write_rows(gpu, rest, whole as u32, (rest.len() / size_of::<[u32; 4]>()) as u32, 1);
         Ok(grow)
     }
 
-    fn write_rows(&self, gpu: &Gpu, bytes: &[u8], first_row: u32, width: u32, height: u32) {
+    /// Writes over what the table holds from element `first` on; there must be room.
+    pub(crate) fn write_at<T: bytemuck::Pod>(&self, gpu: &Gpu, first: usize, elements: &[T]) {
+        let bytes: &[u8] = bytemuck::cast_slice(elements);
+        let texel = first * size_of::<T>() / TEXEL_BYTES;
+        let (row, column) = (texel / DATA_ROW, texel % DATA_ROW);
+        // The rest of a row that is begun, whole rows, and the beginning of one.
+        let (head, bytes) = bytes.split_at(bytes.len().min((DATA_ROW - column) % DATA_ROW * TEXEL_BYTES));
+        let (body, tail) = bytes.split_at(bytes.len() - bytes.len() % (DATA_ROW * TEXEL_BYTES));
+        let next = row + usize::from(column > 0);
+        self.write_rows(gpu, head, [column, row]);
+        self.write_rows(gpu, body, [0, next]);
+        self.write_rows(gpu, tail, [0, next + body.len() / (DATA_ROW * TEXEL_BYTES)]);
+    }
+
+    /// Whole rows, or part of one.
+    fn write_rows(&self, gpu: &Gpu, bytes: &[u8], [x, y]: [usize; 2]) {
         if bytes.is_empty() {
             return;
         }
+        let texels = bytes.len() / TEXEL_BYTES;
+        let (width, height) = (texels.min(DATA_ROW) as u32, texels.div_ceil(DATA_ROW) as u32);
         gpu.queue().write_texture(
             wgpu::TexelCopyTextureInfo {
                 texture: &self.texture,
                 mip_level: 0,
-                origin: wgpu::Origin3d { x: 0, y: first_row, z: 0 },
+                origin: wgpu::Origin3d { x: x as u32, y: y as u32, z: 0 },
                 aspect: wgpu::TextureAspect::All,
             },
             bytes,
             wgpu::TexelCopyBufferLayout {
                 offset: 0,
-                bytes_per_row: Some(width * size_of::<[u32; 4]>() as u32),
+                bytes_per_row: Some(width * TEXEL_BYTES as u32),
                 rows_per_image: Some(height),
             },
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },

@@ -129,7 +129,7 @@ fn flying(criterion: &mut Criterion) {
             bencher.iter(|| {
                 along_m = (along_m + 1.3) % 400.0;
                 let eye = middle + from_middle + DVec3::X * along_m;
-                memory.step(&FacingRule::BOUNDED, &clouds, derived.version(), eye, Vec3::Y);
+                memory.step(&FacingRule::BOUNDED, &clouds, derived.shapes(), eye, Vec3::Y);
                 memory.sprite_count()
             });
         });

@@ -154,7 +154,7 @@ fn measure(scene: &Scene, step: Step, steps: u32) -> [f64; PHASES.len()] {
         Arc::make_mut(&mut derived).update(document.scene(), &change);
         lap(&mut times);
         let clouds = &clouds_now(derived.clouds(), 0.0, FormingRule::ClosedForm);
-        let poses = &Poses::new(&FacingRule::BOUNDED, clouds, derived.version(), &view, &FacingMemory::default());
+        let poses = &Poses::new(&FacingRule::BOUNDED, clouds, derived.shapes(), &view, &FacingMemory::default());
         let subset = &Subset::new(Detail::FULL, clouds, Atlas::built_in());
         let choice = Choice { clouds, poses, subset, hidden: &Hidden::default() };
         black_box(DrawList::new(&choice, &view, None));

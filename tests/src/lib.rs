@@ -4,6 +4,7 @@ pub mod atlas;
 pub mod authoring;
 pub mod flip_pairs;
 pub mod gpu;
+pub mod part_edits;
 pub mod small_scenes;
 pub mod suite;
 

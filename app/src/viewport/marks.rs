@@ -78,7 +78,7 @@ fn mesh(screen: &Screen, sight: &Sight, reading: &Reading<'_>) -> Mesh {
     let view = reading.view;
     let derived = reading.session.derived();
     let now = clouds_now(derived.clouds(), sight.moment.clock_s, sight.rules.forming);
-    let poses = Poses::new(&sight.rules.facing, &now, derived.version(), &screen.view, &sight.history.facing);
+    let poses = Poses::new(&sight.rules.facing, &now, derived.shapes(), &screen.view, &sight.history.facing);
     let clouds: Vec<(&Cloud, &PlacedCloud)> = marked(reading);
     let count: usize = clouds.iter().map(|(_, placed)| placed.sprites.len()).sum();
     let every = count.div_ceil(MOST).max(1);

@@ -2,8 +2,9 @@
 //! moved by hand.
 //!
 //! Along a path the way is the path's, up to the clock's time ([`Playback`]), as it is in this frame, open gestures
-//! included; after a change it is gone anew from the start. A hand has no clock, so the way since the last frame is taken
-//! in steps of a few metres, and goes on from where a flight was left. A view that is put elsewhere has come no way.
+//! included; after a change of the path or of the clouds' shapes it is gone anew from the start. A hand has no clock, so
+//! the way since the last frame is taken in steps of a few metres, and goes on from where a flight was left. A view that
+//! is put elsewhere has come no way.
 
 use crate::state::Reading;
 use cloudwright_core::camera::View;
@@ -11,7 +12,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, CameraPath};
 use cloudwright_core::sight::Sight;
-use cloudwright_core::version::Version;
+use cloudwright_core::sprites::Shapes;
 use cloudwright_core::view_history::{Playback, ViewHistory};
 use cloudwright_core::weather::Moment;
 use glam::DVec3;
@@ -36,7 +37,7 @@ pub(super) struct Memory {
     rules: Rules,
     history: Arc<ViewHistory>,
     /// Where the history was made, through which clouds.
-    last: Option<(DVec3, Version)>,
+    last: Option<(DVec3, Shapes)>,
     flight: Option<(CameraPath, Playback)>,
 }
 
@@ -82,9 +83,9 @@ impl Memory {
 
     /// A hand has moved the view to `camera`. What it remembers there.
     fn follow(&mut self, camera: &Camera, clock_s: f64, derived: &Derived) -> &Arc<ViewHistory> {
-        let here = (camera.position, derived.version());
-        if self.last != Some(here) {
-            let from = self.last.map_or(camera.position, |(eye, _)| eye);
+        let here = (camera.position, derived.shapes().clone());
+        if self.last.as_ref() != Some(&here) {
+            let from = self.last.as_ref().map_or(camera.position, |(eye, _)| *eye);
             let steps = ((from.distance(camera.position) / STEP_M).ceil() as u32).clamp(1, MOST_STEPS);
             for step in 1..=steps {
                 let position = from.lerp(camera.position, f64::from(step) / f64::from(steps));
@@ -100,11 +101,11 @@ impl Memory {
     /// what it was before, since going all the way anew is too slow for a drag.
     fn fly(&mut self, path: &CameraPath, time_s: f64, derived: &Derived, is_open: bool) -> &Arc<ViewHistory> {
         if !is_open {
-            let flight = self.flight.take().filter(|(flown, _)| flown == path);
+            let flight = self.flight.take().filter(|(flown, _)| flown.goes_as(path));
             let begun = || (path.clone(), Playback::new(path, self.rules));
             let (_, playback) = self.flight.insert(flight.unwrap_or_else(begun));
             let (camera, history) = playback.seek(derived, time_s);
-            self.last = Some((camera.position, derived.version()));
+            self.last = Some((camera.position, derived.shapes().clone()));
             self.history = Arc::clone(history);
         }
         &self.history

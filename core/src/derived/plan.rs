@@ -1,14 +1,15 @@
 //! What is to be computed for a scene, told before it is done: which models to strew, which clouds to place, which
-//! only take other colours.
+//! only take another place, light or name.
 
-use super::{Derived, Key, Populated, Source, Stand};
+use super::{Derived, Key, Populated, Source};
 use crate::change::Change;
-use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene};
-use crate::sprites::{PLACING, PlacedCloud, STREWING, place_watched, populate_watched};
+use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, GroupId, GroupLight, ModelId, Scene};
+use crate::sprites::{PLACING, STREWING, dress, place_watched, populate_watched, stand_alike};
 use crate::version::Version;
 use crate::watch::Watch;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 /// The way from one state of the caches to the next.
@@ -29,9 +30,9 @@ pub struct Plan<'a> {
 enum Step<'a> {
     /// The one of that position before, as it was.
     Keep(usize),
-    /// The one of that position before, with other colours, another name or another way to come and go.
-    Dress(usize, &'a Cloud, Populated),
-    Place(&'a Cloud, Key),
+    /// The one of that position before with the same sprites, but another place, light, colours, name or formation.
+    Dress(usize, &'a Arc<Cloud>, Populated),
+    Place(&'a Arc<Cloud>, Key),
 }
 
 impl<'a> Plan<'a> {
@@ -39,7 +40,8 @@ impl<'a> Plan<'a> {
     pub const LITTLE: u64 = 10_000;
 
     pub(super) fn new(before: &'a Derived, scene: &'a Scene, change: &Change) -> Self {
-        let models: FxHashMap<ModelId, &CloudModel> = scene.models.iter().map(|model| (model.id, model)).collect();
+        let models: FxHashMap<ModelId, &Arc<CloudModel>> =
+            scene.models.as_slice().iter().map(|model| (model.id, model)).collect();
         let key_of = |cloud: &Cloud| -> Option<Key> {
             let model = models.get(&cloud.model)?;
             Some((model.id, cloud.seed.unwrap_or(model.seed)))
@@ -59,7 +61,7 @@ impl<'a> Plan<'a> {
         plan.sort_out_models(&wanted, &models, change);
         let mut old: FxHashMap<CloudId, usize> =
             before.clouds.iter().enumerate().map(|(position, cloud)| (cloud.id, position)).collect();
-        for cloud in &scene.clouds {
+        for cloud in scene.clouds.as_slice() {
             let (old, key) = (old.remove(&cloud.id), key_of(cloud));
             let touched =
                 change.touches_cloud(cloud.id) || change.touches_model(cloud.model) || change.touches_ground();
@@ -73,11 +75,7 @@ impl<'a> Plan<'a> {
     }
 
     /// Which models and seeds in use keep their sprites, and which are not what they were.
-    fn sort_out_models(&mut self, wanted: &[Key], models: &FxHashMap<ModelId, &CloudModel>, change: &Change) {
-        // One copy of a touched model for all its seeds.
-        let mut copies: FxHashMap<ModelId, Arc<CloudModel>> = FxHashMap::default();
-        let mut copy =
-            |model: &CloudModel| Arc::clone(copies.entry(model.id).or_insert_with(|| Arc::new(model.clone())));
+    fn sort_out_models(&mut self, wanted: &[Key], models: &FxHashMap<ModelId, &Arc<CloudModel>>, change: &Change) {
         for key in wanted {
             let Some(model) = models.get(&key.0) else { continue };
             match self.before.populated.get(key) {
@@ -86,34 +84,43 @@ impl<'a> Plan<'a> {
                 }
                 Some(old) if same_sprites(&old.model, model) => {
                     let sprites = Arc::clone(&old.sprites);
-                    self.kept.insert(*key, Populated { model: copy(model), sprites });
+                    self.kept.insert(*key, Populated { model: Arc::clone(model), sprites });
                 }
                 _ => {
                     self.work += STREWING * sprites_tried(model);
-                    self.fresh.push((*key, copy(model)));
+                    self.fresh.push((*key, Arc::clone(model)));
                 }
             }
         }
     }
 
-    fn sort_out_cloud(&mut self, cloud: &'a Cloud, key: Key, old: Option<usize>) {
+    fn sort_out_cloud(&mut self, cloud: &'a Arc<Cloud>, key: Key, old: Option<usize>) {
         let populated = self.kept.get(&key);
-        if let (Some(old), Some(populated)) = (old, populated) {
+        if let (Some(old), Some(populated)) = (old, populated)
+            && self.keeps_sprites(old, cloud, populated)
+        {
             let (placed, source) = (&self.before.clouds[old], &self.before.sources[old]);
-            let stands = source.stand == Stand::of(cloud, self.ground_altitude_m)
-                && Arc::ptr_eq(&source.populated.sprites, &populated.sprites)
-                && same_groups(&source.populated.model, &populated.model);
-            if stands {
-                let as_it_was = placed.name == cloud.name
-                    && placed.color_levels == populated.model.color_levels
-                    && placed.formation == cloud.formation;
-                let step = if as_it_was { Step::Keep(old) } else { Step::Dress(old, cloud, populated.clone()) };
-                return self.clouds.push(step);
-            }
+            let as_it_was = placed.name == cloud.name
+                && source.cloud.position == cloud.position
+                && placed.color_levels == populated.model.color_levels
+                && placed.formation == cloud.formation
+                && same_light(&source.populated.model, &populated.model);
+            let step = if as_it_was { Step::Keep(old) } else { Step::Dress(old, cloud, populated.clone()) };
+            return self.clouds.push(step);
         }
         let of_fresh = || self.fresh.iter().find(|(each, _)| *each == key).map_or(0, |(_, model)| sprites_tried(model));
         self.work += PLACING * populated.map_or_else(of_fresh, |populated| populated.sprites.sprites.len() as u64);
         self.clouds.push(Step::Place(cloud, key));
+    }
+
+    /// Whether the cloud that was at `old` has the sprites, in the groups, that `cloud` is to have.
+    fn keeps_sprites(&self, old: usize, cloud: &Cloud, populated: &Populated) -> bool {
+        let (placed, source) = (&self.before.clouds[old], &self.before.sources[old]);
+        let Source { cloud: stood, ground_altitude_m, populated: had } = source;
+        Arc::ptr_eq(&had.sprites, &populated.sprites)
+            && same_groups(&had.model, &populated.model)
+            && (stood.heading_deg, stood.scale) == (cloud.heading_deg, cloud.scale)
+            && stand_alike(placed, (stood, *ground_altitude_m), (cloud, self.ground_altitude_m))
     }
 
     /// How much there is to do, as that many sprites to strew.
@@ -149,24 +156,24 @@ impl<'a> Plan<'a> {
         let clouds = map_all(clouds, in_parallel, |step| match step {
             Step::Keep(old) => Some((before.clouds[old].clone(), before.sources[old].clone())),
             Step::Dress(old, cloud, populated) => {
-                let name = cloud.name.clone();
-                let color_levels = populated.model.color_levels;
-                let formation = cloud.formation;
-                let dressed = PlacedCloud { name, color_levels, formation, ..before.clouds[old].clone() };
-                Some((dressed, Source { stand: before.sources[old].stand, populated }))
+                let keeps_light = same_light(&before.sources[old].populated.model, &populated.model);
+                let model = (&*populated.model, &*populated.sprites);
+                let dressed = dress(&before.clouds[old], cloud, model, keeps_light);
+                Some((dressed, Source { cloud: Arc::clone(cloud), ground_altitude_m, populated }))
             }
             Step::Place(cloud, key) => {
                 let populated = kept.get(&key)?.clone();
                 let placed = place_watched(cloud, &populated.model, &populated.sprites, ground_altitude_m, watch);
-                Some((placed, Source { stand: Stand::of(cloud, ground_altitude_m), populated }))
+                Some((placed, Source { cloud: Arc::clone(cloud), ground_altitude_m, populated }))
             }
         });
         if watch.is_cancelled() {
             return None;
         }
         let version = if same_order { before.version } else { Version::fresh() };
-        let (clouds, sources) = clouds.into_iter().flatten().unzip();
-        Some(Derived { clouds, sources, version, populated: kept, work })
+        let (clouds, sources): (Vec<_>, _) = clouds.into_iter().flatten().unzip();
+        let shapes = if same_order { before.shapes.clone() } else { before.shapes.or_of(&clouds) };
+        Some(Derived { shapes, clouds, sources, version, populated: kept, work })
     }
 }
 
@@ -180,10 +187,11 @@ fn sprites_tried(model: &CloudModel) -> u64 {
 
 /// Whether two states of a model strew the same sprites, whatever their colours, light and names.
 fn same_sprites(a: &CloudModel, b: &CloudModel) -> bool {
-    a.boxes.len() == b.boxes.len()
-        && a.boxes.iter().zip(&b.boxes).all(|(a, b)| same_box(a, b))
-        && a.cull_radius == b.cull_radius
-        && a.category == b.category
+    (a.boxes == b.boxes || same_boxes(a, b)) && a.cull_radius == b.cull_radius && a.category == b.category
+}
+
+fn same_boxes(a: &CloudModel, b: &CloudModel) -> bool {
+    a.boxes.len() == b.boxes.len() && a.boxes.iter().zip(&b.boxes).all(|(a, b)| same_box(a, b))
 }
 
 fn same_box(a: &CloudBox, b: &CloudBox) -> bool {
@@ -222,9 +230,19 @@ fn same_box(a: &CloudBox, b: &CloudBox) -> bool {
         && *sprite_edits == b.sprite_edits
 }
 
-/// Whether two states of a model with the same sprites shade them in the same groups.
+/// Whether two states of a model with the same sprites have them in the same groups: what is said to be in a group that
+/// the model lacks is in its box's own.
 fn same_groups(a: &CloudModel, b: &CloudModel) -> bool {
-    let lights = |model: &CloudModel| model.boxes.iter().map(|each| each.light).collect::<Vec<_>>();
-    let groups = |model: &CloudModel| model.groups.iter().map(|group| (group.id, group.light)).collect::<Vec<_>>();
-    lights(a) == lights(b) && groups(a) == groups(b)
+    let ids = |model: &CloudModel| model.groups.iter().map(|group| group.id).collect::<BTreeSet<GroupId>>();
+    a.groups == b.groups || ids(a) == ids(b)
+}
+
+/// Whether two states of a model with the same sprites in the same groups light those alike.
+fn same_light(a: &CloudModel, b: &CloudModel) -> bool {
+    let groups = |model: &CloudModel| -> BTreeMap<GroupId, GroupLight> {
+        model.groups.iter().map(|group| (group.id, group.light)).collect()
+    };
+    let boxes_alike =
+        a.boxes == b.boxes || a.boxes.iter().map(|each| each.light).eq(b.boxes.iter().map(|each| each.light));
+    boxes_alike && (a.groups == b.groups || groups(a) == groups(b))
 }

@@ -6,7 +6,7 @@
 
 use super::{LastSort, Ranks, Sorting};
 use crate::camera::View;
-use crate::version::Version;
+use crate::sprites::{Known, Shapes};
 use crate::weather::CloudNow;
 use std::sync::Arc;
 
@@ -16,7 +16,7 @@ pub const FADE_STEPS: u32 = 30;
 /// The order that a view draws in, and the one that it comes from.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct OrderMemory {
-    version: Option<Version>,
+    shapes: Option<Shapes>,
     newest: Option<Arc<Ranks>>,
     /// Fades out.
     older: Option<Arc<Ranks>>,
@@ -26,15 +26,16 @@ pub struct OrderMemory {
 }
 
 impl OrderMemory {
-    /// Goes on to `view` by `sorting`.
-    pub fn step(&mut self, sorting: &Sorting, clouds: &[CloudNow<'_>], version: Version, view: &View) {
+    /// Goes on to `view` by `sorting`; it sees `clouds`, whose `shapes` are. The order holds through whatever leaves the
+    /// clouds' sprites as they are, and through the loss of some; new ones have no place in it, so all are then sorted anew.
+    pub fn step(&mut self, sorting: &Sorting, clouds: &[CloudNow<'_>], shapes: &Shapes, view: &View) {
         if *sorting == Sorting::EachFrame {
             return;
         }
-        let known = self.version == Some(version);
-        let Some(newest) = self.newest.as_mut().filter(|_| known) else {
+        self.keep_to(shapes, clouds.len());
+        let Some(newest) = self.newest.as_mut() else {
             let newest = Some(Arc::new(Ranks::from_afar(clouds, view)));
-            *self = Self { version: Some(version), newest, last: LastSort::at(view), ..Self::default() };
+            *self = Self { shapes: Some(shapes.clone()), newest, last: LastSort::at(view), ..Self::default() };
             return;
         };
         self.age += 1;
@@ -47,6 +48,16 @@ impl OrderMemory {
                 self.age = 0;
             }
             Sorting::Lazy(lazy) => (lazy.step)(&mut self.last, Arc::make_mut(newest), clouds, view),
+        }
+    }
+
+    /// Forgets what is not of these clouds.
+    fn keep_to(&mut self, shapes: &Shapes, cloud_count: usize) {
+        let known = shapes.known_from(self.shapes.as_ref());
+        if !matches!(known, Known::All) {
+            let of_known = |ranks: Option<Arc<Ranks>>| Some(Arc::new(ranks?.of_known(&known, cloud_count)?));
+            (self.newest, self.older) = (of_known(self.newest.take()), of_known(self.older.take()));
+            self.shapes = Some(shapes.clone());
         }
     }
 

@@ -10,7 +10,7 @@ use super::rule::FacingRule;
 use super::{Pose, upright};
 use crate::camera::View;
 use crate::math::unit_or;
-use crate::version::Version;
+use crate::sprites::{Known, Shapes};
 use crate::weather::CloudNow;
 use glam::{DVec3, Vec3};
 use rustc_hash::FxHashMap;
@@ -20,9 +20,9 @@ use rustc_hash::FxHashMap;
 pub struct FacingMemory {
     /// At the last step.
     eye: Option<DVec3>,
-    /// Of the clouds that it remembers.
-    version: Option<Version>,
-    /// By the cloud's index; sprites in order of theirs.
+    /// Of the clouds at the last step.
+    shapes: Option<Shapes>,
+    /// By the cloud's index then; sprites in order of theirs.
     clouds: FxHashMap<u32, Vec<Remembered>>,
 }
 
@@ -36,14 +36,15 @@ pub(super) struct Remembered {
 }
 
 impl FacingMemory {
-    /// Goes on to `eye` by `rule`. The first step, and one after the clouds have changed (`version`), remembers nothing: sprites
-    /// near the eye face it, upright by `camera_up`.
-    pub fn step(&mut self, rule: &FacingRule, clouds: &[CloudNow<'_>], version: Version, eye: DVec3, camera_up: Vec3) {
-        let known = self.knows(version);
+    /// Goes on to `eye` by `rule`, through `clouds`, whose `shapes` are. Nothing is remembered at the first step, and of a
+    /// cloud that is new or has other sprites than at the last: those near the eye face it, upright by `camera_up`.
+    pub fn step(&mut self, rule: &FacingRule, clouds: &[CloudNow<'_>], shapes: &Shapes, eye: DVec3, camera_up: Vec3) {
+        let all_known = self.known_in(shapes);
         let mut next: FxHashMap<u32, Vec<Remembered>> = FxHashMap::default();
         for (index, cloud) in (0..).zip(clouds) {
-            let before = if known { self.of_cloud(index) } else { &[] };
-            let to_eye = ToEye::new(cloud, eye, self.eye.filter(|_| known), 0.0);
+            let known = all_known.index(index);
+            let before = self.of_cloud(known);
+            let to_eye = ToEye::new(cloud, eye, self.eye.filter(|_| known.is_some()), 0.0);
             if before.is_empty() && !to_eye.is_near(cloud) && !to_eye.is_polar(cloud) {
                 continue;
             }
@@ -57,12 +58,12 @@ impl FacingMemory {
                 next.insert(index, remembered);
             }
         }
-        (self.clouds, self.version, self.eye) = (next, Some(version), Some(eye));
+        (self.clouds, self.shapes, self.eye) = (next, Some(shapes.clone()), Some(eye));
     }
 
-    /// What the cloud of that index is remembered for.
-    fn of_cloud(&self, index: u32) -> &[Remembered] {
-        self.clouds.get(&index).map_or(&[], Vec::as_slice)
+    /// What the cloud that had that index at the last step is remembered for.
+    fn of_cloud(&self, index: Option<u32>) -> &[Remembered] {
+        index.and_then(|index| self.clouds.get(&index)).map_or(&[], Vec::as_slice)
     }
 
     /// How many sprites are remembered.
@@ -71,18 +72,17 @@ impl FacingMemory {
     }
 
     /// Every sprite of a cloud whose pose is not that of a far one in a still, as `view` sees it now; sprites nearer
-    /// than `nearest` metres among them. `known`: whether what is remembered is of these clouds.
+    /// than `nearest` metres among them. `known`: the cloud's index at the last step, if it is remembered.
     pub(super) fn poses_of(
         &self,
         rule: &FacingRule,
-        (index, cloud): (u32, &CloudNow<'_>),
-        known: bool,
+        (known, cloud): (Option<u32>, &CloudNow<'_>),
         view: &View,
         nearest: f32,
         mut found: impl FnMut(u32, Pose),
     ) {
-        let before = if known { self.of_cloud(index) } else { &[] };
-        let last = self.eye.filter(|_| known);
+        let before = self.of_cloud(known);
+        let last = self.eye.filter(|_| known.is_some());
         let to_eye = ToEye::new(cloud, view.eye, last, nearest);
         // Without a history the poles are the still's affair.
         let polar_too = last.is_some();
@@ -91,9 +91,9 @@ impl FacingMemory {
         }
     }
 
-    /// Whether it remembers this state of the clouds.
-    pub(super) fn knows(&self, version: Version) -> bool {
-        self.version == Some(version)
+    /// Which of the clouds of `shapes` it remembers.
+    pub(super) fn known_in(&self, shapes: &Shapes) -> Known {
+        shapes.known_from(self.shapes.as_ref())
     }
 }
 

@@ -3,7 +3,7 @@
 use super::lock::{near_fade, near_reach};
 use super::{FacingMemory, FacingRule, Pose};
 use crate::camera::View;
-use crate::version::Version;
+use crate::sprites::Shapes;
 use crate::weather::CloudNow;
 use rayon::prelude::*;
 
@@ -23,12 +23,12 @@ pub struct Poses {
 }
 
 impl Poses {
-    /// Those that `view` sees by `rule`, by which its `memory` has stepped. What is near the eye but was never seen from
-    /// afar faces the eye.
+    /// Those that `view` sees by `rule` of `clouds`, whose `shapes` are; by that rule its `memory` has stepped. What is near
+    /// the eye but was never seen from afar faces the eye.
     pub fn new(
         rule: &FacingRule,
         clouds: &[CloudNow<'_>],
-        version: Version,
+        shapes: &Shapes,
         view: &View,
         memory: &FacingMemory,
     ) -> Self {
@@ -36,10 +36,10 @@ impl Poses {
             return Self { clouds: clouds.iter().map(|cloud| in_view_plane(cloud, view)).collect() };
         }
         let reach = near_reach(view);
-        let known = memory.knows(version);
+        let known = memory.known_in(shapes);
         let of_cloud = |(index, cloud): (usize, &CloudNow<'_>)| {
             let mut posed = Vec::new();
-            memory.poses_of(rule, (index as u32, cloud), known, view, 2.0 * reach, |sprite, mut pose| {
+            memory.poses_of(rule, (known.index(index as u32), cloud), view, 2.0 * reach, |sprite, mut pose| {
                 let to_eye =
                     (view.eye - cloud.origin()).as_vec3() - cloud.position_now(&cloud.placed.sprites[sprite as usize]);
                 pose.fade *= near_fade(pose.towards.dot(to_eye), reach);

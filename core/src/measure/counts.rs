@@ -2,6 +2,8 @@
 
 use super::overdraw::overdraw_map;
 use crate::frame::Frame;
+use crate::sprites::PlacedCloud;
+use std::sync::Arc;
 
 /// What a renderer does for a frame, sprites all drawn to the last.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -18,7 +20,7 @@ pub struct Counts {
     pub overdraw_p99: f32,
     /// Bytes that a GPU is sent for this frame if it has the clouds already.
     pub bytes_uploaded: u64,
-    /// Bytes that a GPU is sent once for the clouds, before the first frame and after each edit.
+    /// Bytes that a GPU is sent once for the clouds, before the first frame; after an edit it is [`bytes_of_change`].
     pub bytes_of_clouds: u64,
     /// Distances sorted for the draw list.
     pub keys_sorted: u64,
@@ -48,9 +50,6 @@ impl Counts {
             overdraw.values.iter_mut().zip(overdraw_map(&older).values).for_each(|(sum, more)| *sum += more);
         }
         let clouds = frame.clouds.len() as u64;
-        let of_clouds = frame.clouds.iter().map(|cloud| {
-            cloud.sprites.len() as u64 * SPRITE_BYTES + cloud.groups.len() as u64 * GROUP_BYTES + CLOUD_BYTES
-        });
         Self {
             sprites,
             corners_shaded: 4 * sprites,
@@ -60,8 +59,44 @@ impl Counts {
             bytes_uploaded: sprites * SPRITE_IN_ORDER_BYTES
                 + frame.list.poses.len() as u64 * POSE_BYTES
                 + clouds * MOMENT_BYTES,
-            bytes_of_clouds: of_clouds.sum(),
+            bytes_of_clouds: bytes_of_change(&[], frame.clouds),
             keys_sorted: sprites,
         }
     }
+}
+
+/// Bytes that a GPU is sent when the clouds that it has, `before`, have become `after`, if its tables still hold them: of
+/// each cloud what is another than what stood in its place.
+pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
+    let mut bytes = 0;
+    // Of the clouds so far, then and now: a sprite stands at its number among all, and names its group by the group's.
+    let (mut sprites, mut groups) = ([0; 2], [0; 2]);
+    let mut before = before.iter();
+    for now in after {
+        let then = before.next();
+        let is_known = |same: fn(&PlacedCloud, &PlacedCloud) -> bool| then.is_some_and(|then| same(then, now));
+        let sprites_known = is_known(|a, b| Arc::ptr_eq(&a.sprites, &b.sprites)) && sprites[0] == sprites[1];
+        let groups_known = is_known(|a, b| Arc::ptr_eq(&a.groups, &b.groups));
+        let (sprite_count, group_count) = (now.sprites.len() as u64, now.groups.len() as u64);
+        if groups[0] != groups[1] || !sprites_known {
+            bytes += sprite_count * SPRITE_BYTES;
+        }
+        if groups[0] != groups[1] || !groups_known {
+            bytes += group_count * GROUP_BYTES;
+        }
+        if !is_known(looks_alike) {
+            bytes += CLOUD_BYTES;
+        }
+        let [sprites_then, groups_then] =
+            then.map_or([0; 2], |then| [then.sprites.len() as u64, then.groups.len() as u64]);
+        sprites = [sprites[0] + sprites_then, sprites[1] + sprite_count];
+        groups = [groups[0] + groups_then, groups[1] + group_count];
+    }
+    bytes
+}
+
+/// Whether what a GPU keeps of a cloud itself is the same.
+fn looks_alike(a: &PlacedCloud, b: &PlacedCloud) -> bool {
+    let extent = |cloud: &PlacedCloud| (cloud.center, cloud.radius, cloud.bottom, cloud.top);
+    extent(a) == extent(b) && a.color_levels == b.color_levels
 }

@@ -15,7 +15,7 @@ mod percentile;
 mod pixel_map;
 mod stability;
 
-pub use counts::Counts;
+pub use counts::{Counts, bytes_of_change};
 pub use coverage::{Coverage, VISIBLE_OPACITY, coverage};
 pub use errors::{LinearError, OpacityError, SizesDiffer, linear_error, linear_error_map, opacity_error};
 pub use flip::{PIXELS_PER_DEGREE, flip};

@@ -48,6 +48,11 @@ impl CameraPath {
         Self { id, name: name.into(), field_of_view_deg: USUAL_FIELD_OF_VIEW_DEG, keys }
     }
 
+    /// Whether a view that goes along either sees the same, whatever they are called.
+    pub fn goes_as(&self, other: &Self) -> bool {
+        self.keys == other.keys && self.field_of_view_deg == other.field_of_view_deg
+    }
+
     /// A path that has no id because it is in no scene: one that is being recorded.
     pub fn free(keys: Vec<PathKey>) -> Self {
         Self::new(PathId::new(&mut IdCounter(0)), "path", keys)

@@ -8,13 +8,16 @@ mod atlas;
 mod candidates;
 mod cull;
 mod place;
+mod shapes;
 
 pub use atlas::{Atlas, AtlasError, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
 pub(crate) use atlas::{FootprintTable, LEVEL_START, TABLE};
 pub use candidates::{Candidate, candidates, cull_radii};
 pub use cull::{cull, cull_slow};
 pub use place::{Group, GroupKey, PlacedCloud, Sprite, place};
-pub(crate) use place::{heading_turn, place_watched};
+pub(crate) use place::{dress, heading_turn, place_watched, stand_alike};
+pub(crate) use shapes::Known;
+pub use shapes::Shapes;
 
 use crate::scene::CloudModel;
 use crate::watch::Watch;

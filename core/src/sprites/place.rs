@@ -146,12 +146,8 @@ pub(crate) fn place_watched(
     ground_altitude_m: Option<f64>,
     watch: &Watch,
 ) -> PlacedCloud {
-    let turn = heading_turn(cloud.heading_deg);
-    // Positions count from the sprites' middle, wherever in its model the artist built the cloud.
-    let middle = middle(&populated.sprites);
-    let origin = cloud.position + turn * (middle * cloud.scale);
-    let to_world = |p: DVec3| turn * ((p - middle) * cloud.scale);
-    let lowest = ground_altitude_m.map(|altitude| (altitude - origin.y) as f32);
+    let space = Space::of(cloud, populated);
+    let lowest = ground_altitude_m.map(|altitude| (altitude - space.origin.y) as f32);
 
     let named_groups: FxHashSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
     let mut group_of_key: FxHashMap<GroupKey, u32> = FxHashMap::default();
@@ -165,7 +161,7 @@ pub(crate) fn place_watched(
                 (keys.len() - 1) as u32
             });
             let mut sprite = Sprite {
-                position: to_world(candidate.position).as_vec3(),
+                position: space.from_model(candidate.position).as_vec3(),
                 width: (candidate.width * cloud.scale) as f32,
                 height: (candidate.height * cloud.scale) as f32,
                 rotation: candidate.rotation as f32,
@@ -184,12 +180,12 @@ pub(crate) fn place_watched(
     let (low, high) = bounds(sprites.iter().map(|s| s.position));
     let center = (low + high) * 0.5;
     let radius = (high - low).length() * 0.5;
-    let groups = groups(&keys, &sprites, model, center, to_world);
+    let groups = groups(&keys, &sprites, model, center, &space);
     PlacedCloud {
         id: cloud.id,
         name: cloud.name.clone(),
         category: model.category,
-        origin,
+        origin: space.origin,
         candidate_count: populated.candidate_count,
         bottom: sprites.iter().map(|s| s.position.y - s.radius()).reduce(f32::min).unwrap_or(0.0),
         top: sprites.iter().map(|s| s.position.y + s.radius()).reduce(f32::max).unwrap_or(0.0),
@@ -201,6 +197,73 @@ pub(crate) fn place_watched(
         sprites,
         color_levels: model.color_levels,
         formation: cloud.formation,
+    }
+}
+
+/// What `placed` becomes where `cloud` stands now, with the light, colours, name and formation that it and `model` have
+/// now. The sprites stay, so they must be those that `cloud` would be given; [`stand_alike`] tells.
+pub(crate) fn dress(
+    placed: &PlacedCloud,
+    cloud: &Cloud,
+    (model, populated): (&CloudModel, &PopulatedModel),
+    keeps_groups: bool,
+) -> PlacedCloud {
+    let space = Space::of(cloud, populated);
+    let groups = if keeps_groups {
+        Arc::clone(&placed.groups)
+    } else {
+        let keys: Vec<GroupKey> = placed.groups.iter().map(|group| group.key).collect();
+        groups(&keys, &placed.sprites, model, placed.center, &space)
+    };
+    PlacedCloud {
+        origin: space.origin,
+        groups,
+        name: cloud.name.clone(),
+        color_levels: model.color_levels,
+        formation: cloud.formation,
+        ..placed.clone()
+    }
+}
+
+/// Whether `placed`, which stands as `before` did on a ground, would be given the same sprites as `after`, which differs
+/// from that in its place alone: at one height above the ground it is, and wherever the ground lifts none of them.
+pub(crate) fn stand_alike(
+    placed: &PlacedCloud,
+    (before, ground_before_m): (&Cloud, Option<f64>),
+    (after, ground_after_m): (&Cloud, Option<f64>),
+) -> bool {
+    // What comes as near as this to the ground counts as lifted: sums are rounded.
+    const NEAR_M: f64 = 0.1;
+    if (before.position.y, ground_before_m) == (after.position.y, ground_after_m) {
+        return true;
+    }
+    let lowest = placed.sprites.iter().map(|sprite| sprite.position.y - sprite.reach()).fold(f32::MAX, f32::min);
+    let hovers = |origin_y: f64, ground_m: Option<f64>| {
+        ground_m.is_none_or(|ground_m| ground_m - origin_y < f64::from(lowest) - NEAR_M)
+    };
+    hovers(placed.origin.y, ground_before_m)
+        && hovers(placed.origin.y + (after.position.y - before.position.y), ground_after_m)
+}
+
+/// From a model's space to a cloud's: along the world's axes, from the middle of the sprites, wherever in its model the
+/// artist built them.
+struct Space {
+    turn: DQuat,
+    scale: f64,
+    middle: DVec3,
+    /// Where that middle lies in the world.
+    origin: DVec3,
+}
+
+impl Space {
+    fn of(cloud: &Cloud, populated: &PopulatedModel) -> Self {
+        let (turn, scale) = (heading_turn(cloud.heading_deg), cloud.scale);
+        let middle = middle(&populated.sprites);
+        Self { turn, scale, middle, origin: cloud.position + turn * (middle * scale) }
+    }
+
+    fn from_model(&self, point: DVec3) -> DVec3 {
+        self.turn * ((point - self.middle) * self.scale)
     }
 }
 
@@ -233,7 +296,7 @@ fn groups(
     sprites: &[Sprite],
     model: &CloudModel,
     cloud_center: Vec3,
-    to_world: impl Fn(DVec3) -> DVec3,
+    space: &Space,
 ) -> Arc<[Group]> {
     let mut sums = vec![(DVec3::ZERO, 0_usize); keys.len()];
     for sprite in sprites {
@@ -259,7 +322,7 @@ fn groups(
             let center = match light.center {
                 GroupCenter::Mean => mean,
                 GroupCenter::Pulled(share) => mean.lerp(cloud_center, share as f32),
-                GroupCenter::At(point) => to_world(point).as_vec3(),
+                GroupCenter::At(point) => space.from_model(point).as_vec3(),
             };
             Group { key, center, c: [light.c_min, light.c_med, light.c_max].map(|c| c as f32), sprite_count }
         })

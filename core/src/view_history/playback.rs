@@ -10,7 +10,7 @@ use crate::derived::Derived;
 use crate::flight::PathCurve;
 use crate::rules::Rules;
 use crate::scene::{Camera, CameraPath};
-use crate::version::Version;
+use crate::sprites::Shapes;
 use std::sync::Arc;
 
 /// Steps between two states that are kept: ten seconds.
@@ -22,10 +22,11 @@ pub struct Playback {
     curve: PathCurve,
     rules: Rules,
     /// Of the clouds that it flies through.
-    version: Option<Version>,
+    shapes: Option<Shapes>,
     /// The history after `steps` steps; the first is at the path's start.
     history: Arc<ViewHistory>,
     steps: usize,
+    taken: u64,
     /// After 1, 601, 1201, … steps.
     kept: Vec<Arc<ViewHistory>>,
 }
@@ -34,7 +35,12 @@ impl Playback {
     /// At the start of `path`, by `rules`.
     pub fn new(path: &CameraPath, rules: Rules) -> Self {
         let history = Arc::default();
-        Self { curve: PathCurve::new(path), rules, version: None, history, steps: 0, kept: Vec::new() }
+        Self { curve: PathCurve::new(path), rules, shapes: None, history, steps: 0, taken: 0, kept: Vec::new() }
+    }
+
+    /// How many steps were gone since this was made, those that were gone again included.
+    pub fn steps_taken(&self) -> u64 {
+        self.taken
     }
 
     /// From the path's first key to its last, seconds.
@@ -43,13 +49,14 @@ impl Playback {
     }
 
     /// The camera `t_s` seconds from the start, and the history as of the last step not after that. Times beyond the
-    /// path's ends are its ends.
+    /// path's ends are its ends. The way is gone anew where the clouds' sprites or places are not those of the last time;
+    /// their colours, light and names are not its affair.
     pub fn seek(&mut self, derived: &Derived, t_s: f64) -> (Camera, &Arc<ViewHistory>) {
         let t_s = if t_s.is_finite() { t_s.clamp(0.0, self.duration_s()) } else { 0.0 };
         // A frame's time in f64 may lie a rounding before the step that it stands for.
         let wanted = libm::floor(t_s / STEP_S + 1e-6) as usize + 1;
-        if self.version != Some(derived.version()) {
-            (self.version, self.steps, self.history) = (Some(derived.version()), 0, Arc::default());
+        if self.shapes.as_ref() != Some(derived.shapes()) {
+            (self.shapes, self.steps, self.history) = (Some(derived.shapes().clone()), 0, Arc::default());
             self.kept.clear();
         }
         let nearest = ((wanted - 1) / KEPT_EVERY).min(self.kept.len().saturating_sub(1));
@@ -68,6 +75,7 @@ impl Playback {
                 self.kept.push(Arc::clone(&self.history));
             }
             self.steps += 1;
+            self.taken += 1;
         }
         (self.curve.camera_at(t_s), &self.history)
     }

@@ -68,7 +68,7 @@ pub fn sprite_changes(scene: &Scene, cameras: &[Camera], rules: &Rules) -> Sprit
 
 fn all_poses(rules: &Rules, derived: &Derived, view: &View, history: &ViewHistory) -> Vec<Pose> {
     let clouds = clouds_now(derived.clouds(), 0.0, rules.forming);
-    let poses = Poses::new(&rules.facing, &clouds, derived.version(), view, &history.facing);
+    let poses = Poses::new(&rules.facing, &clouds, derived.shapes(), view, &history.facing);
     let of_cloud = |(index, cloud): (usize, &PlacedCloud)| -> Vec<Pose> {
         let offset = (cloud.origin - view.eye).as_vec3();
         let pose = |(sprite, at): (&Sprite, u32)| {

@@ -5,6 +5,7 @@ use cloudwright_core::document::{Document, Edit, ListEdit};
 use cloudwright_core::scene::{Cloud, CloudModel, Formation, Ground, Scene};
 use cloudwright_core::watch::Watch;
 use cloudwright_tests::authoring;
+use glam::DVec3;
 
 fn overcast() -> Scene {
     authoring::SCENES.iter().find(|(name, _)| *name == "overcast").map(|(_, make)| make()).expect("a shipped scene")
@@ -35,18 +36,21 @@ fn what_is_touched_and_nothing_else() {
     let cloud = &scene.clouds[0];
     let edit_cloud = |cloud: Cloud| Edit::Cloud(ListEdit::Replace(cloud));
     let clouds = scene.clouds.len() as u64;
-    let cases: [(&str, Edit, [u64; 3]); 11] = [
+    let cases: [(&str, Edit, [u64; 3]); 14] = [
         ("colour level", edit_model(|m| m.color_levels[1].color.a = 0.5), [0, 0, uses]),
         ("sprite size", edit_model(|m| m.boxes[0].width[1] += 9.0), [uses, uses, 0]),
         ("cull radius", edit_model(|m| m.cull_radius = Default::default()), [uses, uses, 0]),
-        ("box light", edit_model(|m| m.boxes[0].light.c_max = 0.7), [0, uses, 0]),
+        ("box light", edit_model(|m| m.boxes[0].light.c_max = 0.7), [0, 0, uses]),
         ("box name", edit_model(|m| m.boxes[0].name = "other".into()), [0, 0, 0]),
         ("the same again", edit_model(|_| ()), [0, 0, 0]),
-        ("place", edit_cloud(Cloud { heading_deg: 77.0, ..cloud.clone() }), [0, 1, 0]),
+        ("heading", edit_cloud(Cloud { heading_deg: 77.0, ..cloud.clone() }), [0, 1, 0]),
+        ("place", edit_cloud(Cloud { position: cloud.position + 50.0, ..cloud.clone() }), [0, 0, 1]),
+        ("on the ground", edit_cloud(Cloud { position: DVec3::ZERO, ..cloud.clone() }), [0, 1, 0]),
         ("name", edit_cloud(Cloud { name: "other".into(), ..cloud.clone() }), [0, 0, 1]),
         ("formation", edit_cloud(Cloud { formation: Some(Formation::default()), ..cloud.clone() }), [0, 0, 1]),
         ("seed", edit_cloud(Cloud { seed: Some(12345), ..cloud.clone() }), [1, 1, 0]),
-        ("ground", Edit::Ground(Some(Ground { altitude_m: 5.0, ..Ground::default() })), [0, clouds, 0]),
+        ("ground far below", Edit::Ground(Some(Ground { altitude_m: 5.0, ..Ground::default() })), [0, 0, 0]),
+        ("ground above", Edit::Ground(Some(Ground { altitude_m: 20_000.0, ..Ground::default() })), [0, clouds, 0]),
     ];
     for (name, edit, want) in cases {
         let mut document = Document::new(scene.clone());

@@ -11,6 +11,7 @@ mod measure;
 mod method;
 mod model_glb;
 mod property;
+mod parts;
 mod raster;
 mod scene_file;
 mod shading;

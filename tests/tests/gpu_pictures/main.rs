@@ -6,12 +6,17 @@
 mod models;
 
 use cloudwright_core::color::Rgb;
+use cloudwright_core::derived::Derived;
+use cloudwright_core::document::Document;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::frame::Frame;
+use cloudwright_core::measure::{Counts, bytes_of_change};
 use cloudwright_core::raster::plain;
 use cloudwright_core::shading::Veil;
+use cloudwright_core::sprites::Atlas;
 use cloudwright_render::{AdapterChoice, Gpu, RenderError, Renderer};
 use cloudwright_tests::gpu::{Allowance, Backend, Case, cases, required};
+use cloudwright_tests::part_edits::{PART_EDITS, heaps};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::process::ExitCode;
 use std::sync::{Arc, PoisonError};
@@ -50,6 +55,7 @@ fn main() -> ExitCode {
             ("a_picture_too_large_is_an_error", too_large),
             ("the_sprites_pass_can_be_timed", timed),
             ("only_what_changed_is_uploaded", uploads),
+            ("each_part_of_a_cloud_is_uploaded_by_itself", part_uploads),
             ("what_is_hidden_is_not_drawn", hidden),
         ]
         .into_iter()
@@ -175,6 +181,31 @@ fn uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
         let again = renderer.bytes_uploaded();
         ensure(again == each_frame, &format!("{again} bytes for a frame that needs {each_frame}"))
     })
+}
+
+/// After each edit: the bytes that core counts, and the picture that a renderer draws which has seen nothing else.
+fn part_uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+    let (scene, atlas) = (heaps(), Atlas::built_in());
+    for part in PART_EDITS {
+        let mut document = Document::new(scene.clone());
+        let before = Derived::new(&scene);
+        let change = document.edit(part.name, (part.edits)(&scene))?;
+        let mut after = before.clone();
+        after.update(document.scene(), &change);
+        let frame = |scene, derived| Frame::new(scene, derived, atlas, &scene.cameras[0], 17.0, [160, 90]);
+        let (old, new) = (frame(&scene, &before), frame(document.scene(), &after));
+        renderer.draw(gpu, &old)?;
+        let picture = renderer.picture(gpu, &new)?;
+        let want = Counts::of(&new).bytes_uploaded + bytes_of_change(before.clouds(), after.clouds());
+        let got = renderer.bytes_uploaded();
+        ensure(got == want, &format!("{}: {got} bytes, not {want}", part.name))?;
+        let alone = Renderer::new(gpu)?.picture(gpu, &new)?;
+        ensure(picture == alone, &format!("{}: another picture than one drawn anew", part.name))?;
+        let stays = renderer.picture(gpu, &old)? == picture;
+        let looks_alike = ["name"].contains(&part.name);
+        ensure(stays == looks_alike, &format!("{}: the edit shows, or not", part.name))?;
+    }
+    Ok(())
 }
 
 /// Hiding is the list's affair: nothing is uploaded anew for it.
