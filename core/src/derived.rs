@@ -10,7 +10,7 @@ mod plan;
 pub use plan::Plan;
 
 use crate::change::Change;
-use crate::scene::{Cloud, CloudModel, ModelId, Scene};
+use crate::scene::{Cloud, CloudId, CloudModel, ModelId, Scene};
 use crate::sprites::{PlacedCloud, PopulatedModel, Shapes};
 use crate::version::Version;
 use crate::watch::Watch;
@@ -23,6 +23,8 @@ pub struct Derived {
     clouds: Vec<PlacedCloud>,
     /// What each of the clouds was placed from.
     sources: Vec<Source>,
+    /// Where each cloud stands in the list.
+    index: Arc<FxHashMap<CloudId, usize>>,
     version: Version,
     shapes: Shapes,
     populated: FxHashMap<Key, Populated>,
@@ -64,6 +66,7 @@ impl Default for Derived {
         Self {
             clouds: Vec::new(),
             sources: Vec::new(),
+            index: Arc::default(),
             version: Version::fresh(),
             shapes: Shapes::of(&[]),
             populated: FxHashMap::default(),
@@ -83,6 +86,16 @@ impl Derived {
     /// The clouds, in the scene's order; a cloud whose model is missing has no sprites to show and is left out.
     pub fn clouds(&self) -> &[PlacedCloud] {
         &self.clouds
+    }
+
+    /// Where the cloud of that id stands in the list; none if it is not there.
+    pub fn index_of(&self, id: CloudId) -> Option<usize> {
+        self.index.get(&id).copied()
+    }
+
+    /// The cloud of that id.
+    pub fn cloud(&self, id: CloudId) -> Option<&PlacedCloud> {
+        self.clouds.get(self.index_of(id)?)
     }
 
     /// The sprites of a model under a seed, as strewn for its clouds; none if no cloud shows it so.

@@ -81,7 +81,7 @@ fn model(scene: &Scene, at: usize, change: impl FnOnce(&mut CloudModel)) -> Vec<
 fn one_more(scene: &Scene) -> Vec<Edit> {
     let mut counter = scene.next_id;
     let id = CloudId::new(&mut counter);
-    let position = DVec3::new(-8000.0, 1000.0, 0.0);
+    let position = DVec3::new(-6500.0, 1000.0, 0.0);
     let value = Cloud { id, position, ..scene.clouds[0].clone() };
     vec![Edit::NextId(counter), Edit::Cloud(ListEdit::Insert { at: usize::MAX, value })]
 }

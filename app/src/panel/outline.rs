@@ -3,7 +3,7 @@
 use crate::state::{Action, Choose, Item, Reading, ViewChange, ViewState};
 use crate::theme::icon;
 use crate::widget::name_it;
-use cloudwright_core::scene::{Cloud, CloudModel, ForKind, Listed, for_each_kind};
+use cloudwright_core::scene::{Cloud, CloudModel, ForKind, List, Listed, for_each_kind};
 use egui::collapsing_header::CollapsingState;
 use egui::{Align, Button, Id, Layout, Response, ScrollArea, TextWrapMode, Ui};
 
@@ -13,9 +13,9 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         ui.style_mut().wrap_mode = Some(TextWrapMode::Truncate);
         section(ui, "clouds", scene.clouds.len(), |ui| {
-            for cloud in &scene.clouds {
+            rows(ui, &scene.clouds, |ui, cloud| {
                 row_of(ui, cloud, reading, actions);
-            }
+            });
         });
         section(ui, "models", scene.models.len(), |ui| {
             for model in &scene.models {
@@ -58,6 +58,19 @@ fn section(ui: &mut Ui, title: &str, count: usize, body: impl FnOnce(&mut Ui)) {
     egui::CollapsingHeader::new(format!("{title} ({count})")).id_salt(title).default_open(true).show(ui, body);
 }
 
+/// A row a thing, of which only those in sight are laid out: thousands cost no more than a screenful.
+fn rows<T>(ui: &mut Ui, things: &List<T>, mut row: impl FnMut(&mut Ui, &T)) {
+    let pitch = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+    let (top, sight) = (ui.cursor().top(), ui.clip_rect());
+    let before = |y: f32| (((y - top) / pitch).floor().max(0.0) as usize).min(things.len());
+    let (first, end) = (before(sight.top()), (before(sight.bottom()) + 1).min(things.len()));
+    // The space between two rows is not added after a space.
+    let skip = |ui: &mut Ui, rows: usize| ui.add_space(rows as f32 * pitch);
+    skip(ui, first);
+    (first..end).filter_map(|at| things.get(at)).for_each(|thing| row(ui, thing));
+    skip(ui, things.len() - end);
+}
+
 fn model_row(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let id = Id::unique(("outline model", model.id));
     let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, true);
@@ -68,9 +81,9 @@ fn model_row(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actions: &m
     }
     let header = state.show_header(ui, |ui| row_of(ui, model, reading, actions));
     header.body(|ui| {
-        for each in &model.boxes {
+        rows(ui, &model.boxes, |ui, each| {
             row(ui, &named(&each.name, "box", each.id.0), Item::Box(model.id, each.id), reading, actions);
-        }
+        });
     });
 }
 

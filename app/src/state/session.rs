@@ -89,7 +89,7 @@ impl Session {
 
     /// A cloud's sprites, if its model is there.
     pub(crate) fn placed(&self, id: CloudId) -> Option<&PlacedCloud> {
-        self.derived.clouds().iter().find(|cloud| cloud.id == id)
+        self.derived.cloud(id)
     }
 
     /// Work off the frame that the clouds wait for.

@@ -90,7 +90,7 @@ fn mesh(screen: &Screen, sight: &Sight, reading: &Reading<'_>) -> Mesh {
         if !screen.view.sees_sphere(offset + placed.center, placed.reach) {
             continue;
         }
-        let cloud_index = derived.clouds().iter().position(|each| each.id == placed.id).unwrap_or(usize::MAX);
+        let cloud_index = derived.index_of(placed.id).unwrap_or(usize::MAX);
         let pose = |number: usize, center: Vec3| match poses.of_sprite(cloud_index, number as u32) {
             Some(pose) => *pose,
             None => Pose::facing_eye(center, screen.view.up),

@@ -3,8 +3,8 @@
 
 use super::{Derived, Key, Populated, Source};
 use crate::change::Change;
-use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, GroupId, GroupLight, ModelId, Scene};
-use crate::sprites::{PLACING, STREWING, dress, place_watched, populate_watched, stand_alike};
+use crate::scene::{Cloud, CloudBox, CloudModel, GroupId, GroupLight, ModelId, Scene};
+use crate::sprites::{PLACING, PlacedCloud, STREWING, dress, place_watched, populate_watched, stand_alike};
 use crate::version::Version;
 use crate::watch::Watch;
 use rayon::prelude::*;
@@ -59,10 +59,8 @@ impl<'a> Plan<'a> {
         wanted.sort_unstable();
         wanted.dedup();
         plan.sort_out_models(&wanted, &models, change);
-        let mut old: FxHashMap<CloudId, usize> =
-            before.clouds.iter().enumerate().map(|(position, cloud)| (cloud.id, position)).collect();
         for cloud in scene.clouds.as_slice() {
-            let (old, key) = (old.remove(&cloud.id), key_of(cloud));
+            let (old, key) = (before.index_of(cloud.id), key_of(cloud));
             let touched =
                 change.touches_cloud(cloud.id) || change.touches_model(cloud.model) || change.touches_ground();
             match (old, key) {
@@ -171,9 +169,16 @@ impl<'a> Plan<'a> {
             return None;
         }
         let version = if same_order { before.version } else { Version::fresh() };
-        let (clouds, sources): (Vec<_>, _) = clouds.into_iter().flatten().unzip();
+        let (clouds, sources): (Vec<PlacedCloud>, _) = clouds.into_iter().flatten().unzip();
         let shapes = if same_order { before.shapes.clone() } else { before.shapes.or_of(&clouds) };
-        Some(Derived { shapes, clouds, sources, version, populated: kept, work })
+        let same_ids = clouds.iter().map(|cloud| cloud.id).eq(before.clouds.iter().map(|cloud| cloud.id));
+        let index_of = |(index, cloud): (usize, &PlacedCloud)| (cloud.id, index);
+        let index = if same_ids {
+            Arc::clone(&before.index)
+        } else {
+            Arc::new(clouds.iter().enumerate().map(index_of).collect())
+        };
+        Some(Derived { index, shapes, clouds, sources, version, populated: kept, work })
     }
 }
 

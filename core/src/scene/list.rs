@@ -119,12 +119,14 @@ impl<T: Clone> List<T> {
 impl<T: HasId> List<T> {
     /// Where the one of that id stands.
     pub fn position(&self, id: T::Id) -> Option<usize> {
-        self.0.iter().position(|value| value.id() == id)
+        // Things mostly stand in the order in which they got their ids.
+        let in_order = self.0.binary_search_by_key(&id, |value| value.id()).ok();
+        in_order.or_else(|| self.0.iter().position(|value| value.id() == id))
     }
 
     /// The one of that id.
     pub fn with_id(&self, id: T::Id) -> Option<&T> {
-        self.iter().find(|value| value.id() == id)
+        self.get(self.position(id)?)
     }
 
     /// The same, to change.
