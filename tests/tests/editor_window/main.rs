@@ -7,6 +7,7 @@
 mod arranging;
 mod chart_panel;
 mod colors;
+mod crowd;
 mod drawing_boxes;
 mod editing;
 mod files;
@@ -20,6 +21,7 @@ mod paths_in_view;
 mod recovery;
 mod remembering;
 mod several;
+mod renaming;
 mod thinning;
 mod tools;
 mod viewing;
