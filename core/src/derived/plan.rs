@@ -154,9 +154,10 @@ impl<'a> Plan<'a> {
         let clouds = map_all(clouds, in_parallel, |step| match step {
             Step::Keep(old) => Some((before.clouds[old].clone(), before.sources[old].clone())),
             Step::Dress(old, cloud, populated) => {
-                let keeps_light = same_light(&before.sources[old].populated.model, &populated.model);
+                let had = &before.sources[old];
+                let keeps = [had.cloud.position == cloud.position, same_light(&had.populated.model, &populated.model)];
                 let model = (&*populated.model, &*populated.sprites);
-                let dressed = dress(&before.clouds[old], cloud, model, keeps_light);
+                let dressed = dress(&before.clouds[old], cloud, model, keeps);
                 Some((dressed, Source { cloud: Arc::clone(cloud), ground_altitude_m, populated }))
             }
             Step::Place(cloud, key) => {

@@ -200,23 +200,24 @@ pub(crate) fn place_watched(
     }
 }
 
-/// What `placed` becomes where `cloud` stands now, with the light, colours, name and formation that it and `model` have
-/// now. The sprites stay, so they must be those that `cloud` would be given; [`stand_alike`] tells.
+/// What `placed` becomes with the place, light, colours, name and formation that `cloud` and `model` have now, of which the
+/// first two cost something if they are others than before. The sprites stay, so they must be those that `cloud` would be
+/// given; [`stand_alike`] tells.
 pub(crate) fn dress(
     placed: &PlacedCloud,
     cloud: &Cloud,
     (model, populated): (&CloudModel, &PopulatedModel),
-    keeps_groups: bool,
+    [keeps_place, keeps_light]: [bool; 2],
 ) -> PlacedCloud {
-    let space = Space::of(cloud, populated);
-    let groups = if keeps_groups {
+    let space = || Space::of(cloud, populated);
+    let groups = if keeps_light {
         Arc::clone(&placed.groups)
     } else {
         let keys: Vec<GroupKey> = placed.groups.iter().map(|group| group.key).collect();
-        groups(&keys, &placed.sprites, model, placed.center, &space)
+        groups(&keys, &placed.sprites, model, placed.center, &space())
     };
     PlacedCloud {
-        origin: space.origin,
+        origin: if keeps_place { placed.origin } else { space().origin },
         groups,
         name: cloud.name.clone(),
         color_levels: model.color_levels,

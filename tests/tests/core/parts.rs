@@ -4,16 +4,19 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::detail::{Detail, Kept};
 use cloudwright_core::document::Document;
 use cloudwright_core::draw_list::{Choice, DrawList, Hidden, Ranks, Sorting};
-use cloudwright_core::facing::{FacingRule, Pose, Poses};
+use cloudwright_core::facing::{Pose, Poses};
 use cloudwright_core::flight::Playback;
 use cloudwright_core::measure::bytes_of_change;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, CameraPath, CloudId, PathKey};
-use cloudwright_core::sprites::PlacedCloud;
+use cloudwright_core::sprites::{Atlas, PlacedCloud};
 use cloudwright_core::view_history::ViewHistory;
 use cloudwright_tests::part_edits::{PART_EDITS, PartEdit, heaps};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// The heap that the eye flies into.
 const FLOWN: usize = 1;
@@ -44,9 +47,13 @@ fn way(step: u32) -> Camera {
     Camera::free(DVec3::new(60.0, 1010.0, 160.0 - f64::from(step)))
 }
 
-fn flown(derived: &Derived, sorting: Sorting) -> ViewHistory {
-    let mut history = ViewHistory::new(FacingRule::default(), sorting);
-    (0..140).for_each(|step| history.step(derived, &View::new(&way(step), 64, 36)));
+/// As shipped: sprites near the eye are remembered, none of the order is.
+const SHIPPED: &Rules = &Rules::SHIPPED;
+const CROSSFADE: &Rules = &Rules { sorting: Sorting::Crossfade, ..Rules::SHIPPED };
+
+fn flown(derived: &Derived, rules: &Rules) -> ViewHistory {
+    let mut history = ViewHistory::default();
+    (0..140).for_each(|step| history.step(rules, derived, &View::new(&way(step), 64, 36)));
     history
 }
 
@@ -57,7 +64,7 @@ fn by_id(derived: &Derived, id: CloudId) -> (usize, &PlacedCloud) {
 /// Of the flown heap's sprites, at the end of the way.
 fn poses(derived: &Derived, history: &ViewHistory, id: CloudId) -> Vec<Option<Pose>> {
     let view = View::new(&way(140), 64, 36);
-    let poses = Poses::new(derived.clouds(), derived.shapes(), &view, &history.facing);
+    let poses = Poses::new(&SHIPPED.facing, derived.clouds(), derived.shapes(), &view, &history.facing);
     let (index, cloud) = by_id(derived, id);
     (0..cloud.sprites.len() as u32).map(|sprite| poses.of_sprite(index, sprite).copied()).collect()
 }
@@ -100,21 +107,21 @@ fn work_and_bytes_follow_the_part() {
 fn an_eye_remembers_what_was_not_reshaped() {
     for part in PART_EDITS {
         let Edited { before, after } = edited(&part);
-        let mut uninterrupted = flown(&before, Sorting::EachFrame);
+        let mut uninterrupted = flown(&before, SHIPPED);
         let mut interrupted = uninterrupted.clone();
         assert!(interrupted.facing.sprite_count() > 3, "it is near sprites");
         let end = View::new(&way(140), 64, 36);
-        uninterrupted.step(&before, &end);
+        uninterrupted.step(SHIPPED, &before, &end);
         // First as the picture between two steps sees it.
         let id = before.clouds()[FLOWN].id;
         let want = poses(&before, &uninterrupted, id);
         assert!(want.iter().flatten().count() > 3);
-        interrupted.step(&after, &end);
+        interrupted.step(SHIPPED, &after, &end);
         assert_eq!(interrupted.facing.sprite_count(), uninterrupted.facing.sprite_count(), "{}", part.name);
         assert!(poses(&after, &interrupted, id) == want, "{}: they snap", part.name);
         // What is forgotten would show.
-        let mut forgetful = ViewHistory::new(FacingRule::default(), Sorting::EachFrame);
-        forgetful.step(&after, &end);
+        let mut forgetful = ViewHistory::default();
+        forgetful.step(SHIPPED, &after, &end);
         assert!(poses(&after, &forgetful, id) != want, "{}", part.name);
     }
 }
@@ -126,10 +133,10 @@ fn a_reshaped_cloud_is_seen_for_the_first_time() {
     let mut other = scene.clone();
     other.models[1].boxes[0].sprite_count = 30;
     let after = Derived::new(&other);
-    let mut history = flown(&before, Sorting::EachFrame);
-    let mut anew = ViewHistory::new(FacingRule::default(), Sorting::EachFrame);
+    let mut history = flown(&before, SHIPPED);
+    let mut anew = ViewHistory::default();
     let end = View::new(&way(140), 64, 36);
-    (history.step(&after, &end), anew.step(&after, &end));
+    (history.step(SHIPPED, &after, &end), anew.step(SHIPPED, &after, &end));
     let id = before.clouds()[FLOWN].id;
     assert!(poses(&after, &history, id) == poses(&after, &anew, id));
 }
@@ -138,7 +145,8 @@ fn a_reshaped_cloud_is_seen_for_the_first_time() {
 fn order(derived: &Derived, ranks: Option<&Ranks>, id: CloudId) -> Vec<u32> {
     let view = View::new(&Camera { position: DVec3::new(0.0, 1000.0, 3000.0), ..way(0) }, 64, 36);
     let (poses, hidden) = (&Poses::default(), &Hidden::default());
-    let list = DrawList::new(&Choice { clouds: derived.clouds(), formed: &[], poses, hidden }, &view, ranks);
+    let kept = &Kept::new(Detail::FULL, derived.clouds(), Atlas::built_in());
+    let list = DrawList::new(&Choice { clouds: derived.clouds(), formed: &[], poses, kept, hidden }, &view, ranks);
     let index = by_id(derived, id).0 as u32;
     list.sprites.iter().filter(|drawn| drawn.cloud == index).map(|drawn| drawn.sprite).collect()
 }
@@ -147,19 +155,19 @@ fn order(derived: &Derived, ranks: Option<&Ranks>, id: CloudId) -> Vec<u32> {
 fn an_order_holds_through_all_but_new_shapes() {
     for part in PART_EDITS {
         let Edited { before, after } = edited(&part);
-        let mut history = flown(&before, Sorting::Crossfade);
+        let mut history = flown(&before, CROSSFADE);
         let id = before.clouds()[FLOWN].id;
         let had = order(&before, history.order.orders().0, id);
         let end = View::new(&way(140), 64, 36);
         let sorted = Ranks::from_afar(after.clouds(), &end);
         let anew = order(&after, Some(&sorted), id);
         assert!(had.len() > 20 && had != anew, "the order that is kept is an old one");
-        history.step(&after, &end);
+        history.step(CROSSFADE, &after, &end);
         let is_new = ["heading", "shape", "one more"].contains(&part.name);
         let want = if is_new { anew } else { had };
         assert!(order(&after, history.order.orders().0, id) == want, "{}", part.name);
         // And goes on in the new state.
-        (141..400).for_each(|step| history.step(&after, &View::new(&way(step), 64, 36)));
+        (141..400).for_each(|step| history.step(CROSSFADE, &after, &View::new(&way(step), 64, 36)));
     }
 }
 
@@ -175,15 +183,15 @@ fn a_flight_is_gone_anew_only_where_shapes_or_places_changed() {
     let path = CameraPath::free(vec![key(0.0, 160.0), key(2.0, 20.0)]);
     for part in PART_EDITS {
         let Edited { before, after } = edited(&part);
-        let mut playback = Playback::new(&path, FacingRule::default(), Sorting::EachFrame);
+        let mut playback = Playback::new(&path, Rules::SHIPPED);
         playback.seek(&before, 2.0);
         let gone = playback.steps_taken();
         assert_eq!(gone, 121);
         let (_, history) = playback.seek(&after, 2.0);
-        let history = history.clone();
+        let history = Arc::clone(history);
         let stays = ["name", "colours", "light"].contains(&part.name);
         assert_eq!(playback.steps_taken() - gone, if stays { 0 } else { 121 }, "{}", part.name);
-        let mut alone = Playback::new(&path, FacingRule::default(), Sorting::EachFrame);
+        let mut alone = Playback::new(&path, Rules::SHIPPED);
         assert!(*alone.seek(&after, 2.0).1 == history, "{}: as if it were gone in this state", part.name);
     }
 }
