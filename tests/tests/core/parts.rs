@@ -4,7 +4,7 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::detail::{Detail, Kept};
+use cloudwright_core::detail::{Detail, Subset};
 use cloudwright_core::document::Document;
 use cloudwright_core::draw_list::{Choice, DrawList, Hidden, Ranks, Sorting};
 use cloudwright_core::facing::{Pose, Poses};
@@ -14,6 +14,7 @@ use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, CameraPath, CloudId, PathKey};
 use cloudwright_core::sprites::{Atlas, PlacedCloud};
 use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::weather::{CloudNow, clouds_now};
 use cloudwright_tests::part_edits::{PART_EDITS, PartEdit, heaps};
 use glam::DVec3;
 use std::sync::Arc;
@@ -51,9 +52,13 @@ fn way(step: u32) -> Camera {
 const SHIPPED: &Rules = &Rules::SHIPPED;
 const CROSSFADE: &Rules = &Rules { sorting: Sorting::Crossfade, ..Rules::SHIPPED };
 
+fn now(derived: &Derived) -> Vec<CloudNow<'_>> {
+    clouds_now(derived.clouds(), 0.0, SHIPPED.forming)
+}
+
 fn flown(derived: &Derived, rules: &Rules) -> ViewHistory {
     let mut history = ViewHistory::default();
-    (0..140).for_each(|step| history.step(rules, derived, &View::new(&way(step), 64, 36)));
+    (0..140).for_each(|step| history.step(rules, derived, 0.0, &View::new(&way(step), 64, 36)));
     history
 }
 
@@ -64,7 +69,7 @@ fn by_id(derived: &Derived, id: CloudId) -> (usize, &PlacedCloud) {
 /// Of the flown heap's sprites, at the end of the way.
 fn poses(derived: &Derived, history: &ViewHistory, id: CloudId) -> Vec<Option<Pose>> {
     let view = View::new(&way(140), 64, 36);
-    let poses = Poses::new(&SHIPPED.facing, derived.clouds(), derived.shapes(), &view, &history.facing);
+    let poses = Poses::new(&SHIPPED.facing, &now(derived), derived.shapes(), &view, &history.facing);
     let (index, cloud) = by_id(derived, id);
     (0..cloud.sprites.len() as u32).map(|sprite| poses.of_sprite(index, sprite).copied()).collect()
 }
@@ -111,17 +116,17 @@ fn an_eye_remembers_what_was_not_reshaped() {
         let mut interrupted = uninterrupted.clone();
         assert!(interrupted.facing.sprite_count() > 3, "it is near sprites");
         let end = View::new(&way(140), 64, 36);
-        uninterrupted.step(SHIPPED, &before, &end);
+        uninterrupted.step(SHIPPED, &before, 0.0, &end);
         // First as the picture between two steps sees it.
         let id = before.clouds()[FLOWN].id;
         let want = poses(&before, &uninterrupted, id);
         assert!(want.iter().flatten().count() > 3);
-        interrupted.step(SHIPPED, &after, &end);
+        interrupted.step(SHIPPED, &after, 0.0, &end);
         assert_eq!(interrupted.facing.sprite_count(), uninterrupted.facing.sprite_count(), "{}", part.name);
         assert!(poses(&after, &interrupted, id) == want, "{}: they snap", part.name);
         // What is forgotten would show.
         let mut forgetful = ViewHistory::default();
-        forgetful.step(SHIPPED, &after, &end);
+        forgetful.step(SHIPPED, &after, 0.0, &end);
         assert!(poses(&after, &forgetful, id) != want, "{}", part.name);
     }
 }
@@ -136,7 +141,7 @@ fn a_reshaped_cloud_is_seen_for_the_first_time() {
     let mut history = flown(&before, SHIPPED);
     let mut anew = ViewHistory::default();
     let end = View::new(&way(140), 64, 36);
-    (history.step(SHIPPED, &after, &end), anew.step(SHIPPED, &after, &end));
+    (history.step(SHIPPED, &after, 0.0, &end), anew.step(SHIPPED, &after, 0.0, &end));
     let id = before.clouds()[FLOWN].id;
     assert!(poses(&after, &history, id) == poses(&after, &anew, id));
 }
@@ -145,8 +150,9 @@ fn a_reshaped_cloud_is_seen_for_the_first_time() {
 fn order(derived: &Derived, ranks: Option<&Ranks>, id: CloudId) -> Vec<u32> {
     let view = View::new(&Camera { position: DVec3::new(0.0, 1000.0, 3000.0), ..way(0) }, 64, 36);
     let (poses, hidden) = (&Poses::default(), &Hidden::default());
-    let kept = &Kept::new(Detail::FULL, derived.clouds(), Atlas::built_in());
-    let list = DrawList::new(&Choice { clouds: derived.clouds(), formed: &[], poses, kept, hidden }, &view, ranks);
+    let clouds = &now(derived);
+    let subset = &Subset::new(Detail::FULL, clouds, Atlas::built_in());
+    let list = DrawList::new(&Choice { clouds, poses, subset, hidden }, &view, ranks);
     let index = by_id(derived, id).0 as u32;
     list.sprites.iter().filter(|drawn| drawn.cloud == index).map(|drawn| drawn.sprite).collect()
 }
@@ -159,15 +165,15 @@ fn an_order_holds_through_all_but_new_shapes() {
         let id = before.clouds()[FLOWN].id;
         let had = order(&before, history.order.orders().0, id);
         let end = View::new(&way(140), 64, 36);
-        let sorted = Ranks::from_afar(after.clouds(), &end);
+        let sorted = Ranks::from_afar(&now(&after), &end);
         let anew = order(&after, Some(&sorted), id);
         assert!(had.len() > 20 && had != anew, "the order that is kept is an old one");
-        history.step(CROSSFADE, &after, &end);
+        history.step(CROSSFADE, &after, 0.0, &end);
         let is_new = ["heading", "shape", "one more"].contains(&part.name);
         let want = if is_new { anew } else { had };
         assert!(order(&after, history.order.orders().0, id) == want, "{}", part.name);
         // And goes on in the new state.
-        (141..400).for_each(|step| history.step(CROSSFADE, &after, &View::new(&way(step), 64, 36)));
+        (141..400).for_each(|step| history.step(CROSSFADE, &after, 0.0, &View::new(&way(step), 64, 36)));
     }
 }
 
