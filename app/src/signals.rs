@@ -1,10 +1,26 @@
 //! What the system says by signals, where it has them.
 
+use std::sync::Arc;
+use std::sync::atomic::AtomicBool;
+
 /// A write beyond the largest size that files may have (`ulimit -f`) fails from now on, as on a full disk: by itself it
 /// would end the program in the middle of the write.
 pub(crate) fn fail_at_the_size_limit() {
     #[cfg(unix)]
-    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, std::sync::Arc::default());
+    let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
+}
+
+/// Sets `flag` when the program is told to end (SIGINT by Ctrl-C, SIGTERM), so that what it has begun is cleared away.
+/// Told a second time, it ends at once.
+pub(crate) fn set_when_told_to_end(flag: &Arc<AtomicBool>) {
+    #[cfg(unix)]
+    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
+        // In this order: the first time, the flag is set too late to end the program.
+        let _ = signal_hook::flag::register_conditional_default(signal, Arc::clone(flag));
+        let _ = signal_hook::flag::register(signal, Arc::clone(flag));
+    }
+    #[cfg(not(unix))]
+    let _ = flag;
 }
 
 /// Has `last` done, on a thread of its own, when the program is told to end (SIGTERM, SIGINT, SIGHUP); then it ends as it

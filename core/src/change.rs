@@ -22,6 +22,11 @@ impl Change {
         Self { everything: true, ..Self::default() }
     }
 
+    /// Of these models, and of nothing else.
+    pub(crate) fn of_models(models: impl IntoIterator<Item = ModelId>) -> Self {
+        Self { things: models.into_iter().map(Thing::Model).collect(), ..Self::default() }
+    }
+
     /// Whether anything that sprites are made from changed.
     pub fn touches_sprites(&self) -> bool {
         self.touches_ground() || self.touches_models() || self.touches_clouds()

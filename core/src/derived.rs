@@ -124,6 +124,13 @@ impl Derived {
         Plan::new(self, scene, change)
     }
 
+    /// The cloud of that index with none beside it, as if the scene had no other.
+    #[must_use]
+    pub(crate) fn alone(&self, cloud: usize) -> Self {
+        let (clouds, sources) = (vec![self.clouds[cloud].clone()], vec![self.sources[cloud].clone()]);
+        Self { clouds, sources, ..Self::default() }
+    }
+
     /// Recomputes what `change` touched in `scene`, which is the scene after the change.
     pub fn update(&mut self, scene: &Scene, change: &Change) {
         if change.touches_sprites()

@@ -4,9 +4,10 @@ use crate::camera::View;
 use crate::color::Rgb;
 use crate::derived::Derived;
 use crate::detail::Subset;
-use crate::draw_list::{Choice, DrawList};
+use crate::draw_list::{Choice, DrawList, DrawSprite};
 use crate::facing::Poses;
 use crate::model_in_view::{ModelInView, aircraft_in_view};
+use crate::posed_sprite::PosedSprite;
 use crate::rules::Rules;
 use crate::scene::Scene;
 use crate::shading::{Veil, veil};
@@ -79,6 +80,13 @@ impl<'a> Frame<'a> {
             view,
             now,
         }
+    }
+
+    /// A sprite of the list, as this eye sees it.
+    pub fn posed(&self, drawn: &DrawSprite) -> PosedSprite<'_> {
+        let cloud = self.now.clouds[drawn.cloud as usize];
+        let sprite = &cloud.placed.sprites[drawn.sprite as usize];
+        PosedSprite::new(cloud, sprite, self.list.pose(drawn, &self.view), &self.now.light)
     }
 
     /// The same frame in the order that fades out, alone, with its share of the picture.

@@ -3,6 +3,7 @@
 //! What is no longer wanted stops at its next look and leaves the rest of its result out, so whoever cancels, or may
 //! be cancelled, asks [`Watch::is_cancelled`] before using a result. Shared between threads; without a clock.
 
+use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
 
 /// How many items pass between two looks.
@@ -13,7 +14,7 @@ const STRIDE: u64 = 1024;
 pub struct Watch {
     done: AtomicU64,
     expected: AtomicU64,
-    cancelled: AtomicBool,
+    cancelled: Arc<AtomicBool>,
 }
 
 impl Watch {
@@ -22,9 +23,19 @@ impl Watch {
         self.cancelled.store(true, Ordering::Relaxed);
     }
 
+    /// What [`Watch::cancel`] sets, for those who can do no more than set a flag: a signal's handler.
+    pub fn cancelled(&self) -> Arc<AtomicBool> {
+        Arc::clone(&self.cancelled)
+    }
+
     /// Whether the result, which may lack parts, is to be thrown away.
     pub fn is_cancelled(&self) -> bool {
         self.cancelled.load(Ordering::Relaxed)
+    }
+
+    /// For a part of the computation: cancelled with this one, with a progress of its own.
+    pub(crate) fn part(&self) -> Self {
+        Self { cancelled: self.cancelled(), ..Self::default() }
     }
 
     /// How much is done, 0 to 1.

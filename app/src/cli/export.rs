@@ -1,4 +1,4 @@
-//! `cloudwright export`: all sprites for other tools, as JSON or as a table.
+//! `cloudwright export`: all sprites for other tools, as JSON or as a table, written as they come.
 
 use super::failure::Failure;
 use super::progress::Progress;
@@ -7,9 +7,11 @@ use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::formats::sprites_json::Shaded;
+use cloudwright_core::document::Change;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
+use cloudwright_core::posed_sprite::Still;
 use cloudwright_core::weather::Light;
+use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
@@ -53,15 +55,25 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         None
     };
     input::check_output(&scene, &arguments.scene, &arguments.output)?;
-    let _progress = Progress::start("exporting");
-    let derived = Derived::new(&scene);
-    let shaded = shaded.as_ref().map(|(view, light)| Shaded { view, light, clock_s: arguments.at });
-    let text = match format {
-        Format::Json => sprites_json::write(derived.clouds(), shaded)
-            .map_err(|error| Failure::could_not(format!("the sprites can't be written: {error}"), "report this"))?,
-        Format::Csv => sprites_csv::write(derived.clouds(), shaded),
-    };
-    Ok(storage::write_atomic(&arguments.output, text.as_bytes())?)
+    let progress = Progress::start_stoppable("placing sprites");
+    let nothing = Derived::default();
+    let plan = nothing.plan(&scene, &Change::everything());
+    let derived = plan.carry_out(progress.watch()).ok_or_else(Failure::stopped)?;
+    drop(progress);
+    let progress = Progress::start_stoppable("exporting");
+    let shaded = shaded.as_ref().map(|(view, light)| Still { view, light, clock_s: arguments.at });
+    let watch = progress.watch();
+    let written = storage::write_streamed(&arguments.output, |out| {
+        match format {
+            Format::Json => sprites_json::write(out, derived.clouds(), shaded, watch),
+            Format::Csv => sprites_csv::write(out, derived.clouds(), shaded, watch),
+        }?;
+        if watch.is_cancelled() { Err(ErrorKind::Interrupted.into()) } else { Ok(()) }
+    });
+    match written {
+        Err(_) if watch.is_cancelled() => Err(Failure::stopped()),
+        written => Ok(written?),
+    }
 }
 
 fn format_of(path: &Path) -> Result<Format, Failure> {

@@ -49,6 +49,11 @@ impl Failure {
         }
     }
 
+    /// The user ended it.
+    pub(super) fn stopped() -> Self {
+        Self::could_not("stopped", "nothing is written")
+    }
+
     pub(super) fn exit_code(&self) -> u8 {
         match self {
             Self::Open(_) | Self::Argument { .. } | Self::Storage(StorageError::Read { .. }) => UNUSABLE_INPUT,

@@ -1,14 +1,16 @@
 //! `cloudwright info`: what a scene holds, counted.
 
-use super::answer;
 use super::failure::Failure;
+use super::{answer, counted};
 use crate::opening;
 use crate::visible::{self, one_line};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::scene::Scene;
+use cloudwright_core::flight::PathCurve;
+use cloudwright_core::scene::{CameraPath, CloudId, ModelId, PathId, Scene};
 use cloudwright_core::sprites::PlacedCloud;
 use glam::DVec3;
 use serde::Serialize;
+use std::collections::HashMap;
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -30,8 +32,19 @@ struct Counts {
     models: usize,
     boxes: usize,
     cameras: Vec<String>,
+    paths: Vec<PathCounts>,
     total: Total,
     clouds: Vec<CloudCounts>,
+}
+
+#[derive(Serialize)]
+struct PathCounts {
+    name: String,
+    /// From its first key to its last.
+    duration_s: f64,
+    keys: usize,
+    /// The names of those that fly along it.
+    aircraft: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -89,10 +102,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 fn count(scene: &Scene, placed: &[PlacedCloud]) -> Counts {
+    let models = scene.models_by_id();
+    let model_of: HashMap<CloudId, ModelId> = scene.clouds.iter().map(|cloud| (cloud.id, cloud.model)).collect();
     let clouds: Vec<CloudCounts> = placed
         .iter()
         .map(|cloud| {
-            let model = scene.cloud(cloud.id).and_then(|cloud| scene.model(cloud.model));
+            let model = model_of.get(&cloud.id).and_then(|model| models.get(model));
             CloudCounts {
                 id: cloud.id.0,
                 name: cloud.name.clone(),
@@ -110,6 +125,7 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> Counts {
         models: scene.models.len(),
         boxes: scene.models.iter().map(|model| model.boxes.len()).sum(),
         cameras: scene.cameras.iter().map(|camera| camera.name.clone()).collect(),
+        paths: paths(scene),
         total: Total {
             clouds: clouds.len(),
             boxes: clouds.iter().map(|cloud| cloud.boxes).sum(),
@@ -122,10 +138,34 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> Counts {
     }
 }
 
+fn paths(scene: &Scene) -> Vec<PathCounts> {
+    let mut aircraft: HashMap<PathId, Vec<String>> = HashMap::new();
+    for each in &scene.aircraft {
+        aircraft.entry(each.path).or_default().push(each.name.clone());
+    }
+    let count = |path: &CameraPath| PathCounts {
+        name: path.name.clone(),
+        duration_s: PathCurve::new(path).duration_s(),
+        keys: path.keys.len(),
+        aircraft: aircraft.remove(&path.id).unwrap_or_default(),
+    };
+    scene.paths.iter().map(count).collect()
+}
+
 fn as_text(counts: &Counts) -> String {
-    let Counts { name, models, boxes, cameras, total, clouds } = counts;
-    let mut out = one_line(&format!("{name}: {models} models, {boxes} boxes, {} clouds", total.clouds));
+    let Counts { name, models, boxes, cameras, paths, total, clouds } = counts;
+    let [models, boxes] = [counted(*models, "model", "models"), counted(*boxes, "box", "boxes")];
+    let mut out = one_line(&format!("{name}: {models}, {boxes}, {}", counted(total.clouds, "cloud", "clouds")));
     let _ = write!(out, "\ncameras: {}\n\n", one_line(&cameras.join(", ")));
+    if !paths.is_empty() {
+        let _ = writeln!(out, "{:<24} {:>10} {:>6}  aircraft", "path", "seconds", "keys");
+        for PathCounts { name, duration_s, keys, aircraft } in paths {
+            let [name, aircraft] = [name, &aircraft.join(", ")].map(|text| one_line(text));
+            let aircraft = if aircraft.is_empty() { "none" } else { &aircraft };
+            let _ = writeln!(out, "{name:<24} {duration_s:>10.1} {keys:>6}  {aircraft}");
+        }
+        out.push('\n');
+    }
     let _ = writeln!(out, "{:<24} {:>6} {:>8} {:>8} {:>6}  bounds, m", "cloud", "boxes", "tried", "sprites", "groups");
     for cloud in clouds {
         let CloudCounts { name, boxes, sprites_tried, sprites, groups, bounds, .. } = cloud;

@@ -1,5 +1,6 @@
 //! A progress bar on stderr for what takes over half a second, if a person is there to see it.
 
+use crate::signals;
 use cloudwright_core::watch::Watch;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::io::IsTerminal;
@@ -49,6 +50,13 @@ impl Progress {
                 bar.finish_and_clear();
             }));
         }
+        progress
+    }
+
+    /// Begins a task that ends early by itself once its watch is cancelled, as it is by Ctrl-C.
+    pub(super) fn start_stoppable(what: &str) -> Self {
+        let progress = Self::start(what);
+        signals::set_when_told_to_end(&progress.watch.cancelled());
         progress
     }
 

@@ -3,7 +3,7 @@
 use super::failure::Failure;
 use super::painter::{Painter, PainterArguments};
 use super::progress::Progress;
-use super::{arguments, input};
+use super::{arguments, counted, input};
 use crate::units::time_of_day;
 use crate::{opening, picture_png, storage};
 use cloudwright_core::derived::Derived;
@@ -88,8 +88,8 @@ pub(super) fn check_memory([width, height]: [u32; 2], side: u32) -> Result<(), F
     }
     Err(Failure::argument(
         format!(
-            "--size {width}x{height} with {} samples a pixel is {} million samples",
-            side * side,
+            "--size {width}x{height} with {} a pixel is {} million samples",
+            counted((side * side) as usize, "sample", "samples"),
             samples / 1_000_000
         ),
         format!("stay within {} million: lower --size or --samples", MAX_SAMPLES / 1_000_000),

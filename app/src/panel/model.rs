@@ -6,6 +6,7 @@ use crate::widget::{Fields, Kept, kept};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::CloudModel;
 use egui::Ui;
+use std::collections::HashMap;
 
 /// `models` has at least one, the one whose values are shown.
 pub(super) fn fields_of(ui: &mut Ui, models: &[&CloudModel], reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -24,9 +25,12 @@ pub(super) fn fields_of(ui: &mut Ui, models: &[&CloudModel], reading: &Reading<'
 
 /// The counts of each model's first cloud: those of the others differ only if they have seeds of their own.
 fn placed_as(ui: &mut Ui, models: &[&CloudModel], reading: &Reading<'_>) {
-    let clouds = &reading.session.scene().clouds;
-    let first = |model: &&CloudModel| clouds.iter().find(|cloud| cloud.model == model.id);
-    let placed: Vec<_> = models.iter().filter_map(first).filter_map(|cloud| reading.session.placed(cloud.id)).collect();
+    let mut first = HashMap::new();
+    for cloud in &reading.session.scene().clouds {
+        first.entry(cloud.model).or_insert(cloud.id);
+    }
+    let placed = models.iter().filter_map(|model| reading.session.placed(*first.get(&model.id)?));
+    let placed: Vec<_> = placed.collect();
     if placed.is_empty() {
         ui.weak("Placed nowhere.");
     } else {

@@ -75,8 +75,8 @@ fn model_row(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actions: &m
     let id = Id::unique(("outline model", model.id));
     let mut state = CollapsingState::load_with_default_open(ui.ctx(), id, true);
     // A box that was chosen in the viewport must be seen here.
-    let inside = |item: &Item| matches!(item, Item::Box(of, _) | Item::Sprite(of, ..) if *of == model.id);
-    if reading.view.selection.items().iter().any(inside) && !state.is_open() {
+    let selection = &reading.view.selection;
+    if (selection.has_box_of(model.id) || selection.has_sprite_of(model.id)) && !state.is_open() {
         state.set_open(true);
     }
     let header = state.show_header(ui, |ui| row_of(ui, model, reading, actions));

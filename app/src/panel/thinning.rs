@@ -38,7 +38,7 @@ pub(crate) fn ask_thinning(
         ui.heading("Thin out");
         ui.label(
             "Drops the sprites that show least, as long as no view differs by more than the tolerance: neither from the \
-             cameras, nor along the paths, nor in eight views around each cloud, by the light of this hour.",
+             cameras, nor along the paths, nor in eight views around each cloud (around 150 of them, if there are more), by the light of this hour.",
         );
         ui.add_space(theme::GAP);
         ui.add_enabled_ui(done.is_none(), |ui| {

@@ -8,6 +8,8 @@ pub use cloudwright_core::scene::Thing as Item;
 use cloudwright_core::scene::{
     BoxId, Cloud, CloudBox, CloudId, CloudModel, GroupId, Listed, ModelId, Scene, ShadingGroup,
 };
+use std::collections::BTreeSet;
+use std::ops::RangeInclusive;
 
 /// How a choice joins what is selected already.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -24,6 +26,8 @@ pub enum Choose {
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub struct Selection {
     items: Vec<Item>,
+    /// The same, to be asked for each thing of a large scene.
+    sorted: BTreeSet<Item>,
     through: Option<CloudId>,
 }
 
@@ -59,7 +63,7 @@ impl Selection {
 
     /// Whether `item` is selected.
     pub fn contains(&self, item: Item) -> bool {
-        self.items.contains(&item)
+        self.sorted.contains(&item)
     }
 
     /// Adds or takes out `items`, seen in the placement `through` if that matters.
@@ -68,11 +72,13 @@ impl Selection {
             *self = Self::default();
         }
         for item in items {
-            let there = self.items.iter().position(|each| *each == item);
-            if let Some(at) = there {
-                self.items.remove(at);
+            let was_there = !self.sorted.insert(item);
+            if was_there {
+                self.items.retain(|each| *each != item);
             }
-            if there.is_none() || how != Choose::Toggle {
+            if was_there && how == Choose::Toggle {
+                self.sorted.remove(&item);
+            } else {
                 self.items.push(item);
             }
         }
@@ -87,6 +93,7 @@ impl Selection {
         if self.items.is_empty() && !was_empty {
             self.items.extend(self.through.map(Item::Cloud));
         }
+        self.sorted = self.items.iter().copied().collect();
     }
 
     /// The selected clouds.
@@ -119,9 +126,23 @@ impl Selection {
 
     /// Whether the model itself or a group or sprite of it is selected.
     pub(crate) fn of_model(&self, model: ModelId) -> bool {
-        let of =
-            |item: &Item| matches!(item, Item::Model(id) | Item::Group(id, _) | Item::Sprite(id, ..) if *id == model);
-        self.items.iter().any(of)
+        self.contains(Item::Model(model))
+            || self.has_any(Item::Group(model, GroupId(0))..=Item::Group(model, GroupId(u64::MAX)))
+            || self.has_sprite_of(model)
+    }
+
+    /// Whether a box of the model is selected.
+    pub(crate) fn has_box_of(&self, model: ModelId) -> bool {
+        self.has_any(Item::Box(model, BoxId(0))..=Item::Box(model, BoxId(u64::MAX)))
+    }
+
+    /// Whether a sprite of the model is selected.
+    pub(crate) fn has_sprite_of(&self, model: ModelId) -> bool {
+        self.has_any(Item::Sprite(model, BoxId(0), 0)..=Item::Sprite(model, BoxId(u64::MAX), u32::MAX))
+    }
+
+    fn has_any(&self, range: RangeInclusive<Item>) -> bool {
+        self.sorted.range(range).next().is_some()
     }
 
     /// The model of the primary: itself, its box's, sprite's or group's, or its cloud's.
@@ -131,13 +152,9 @@ impl Selection {
 
     /// The models of all that is selected, each once, the primary's first.
     pub(crate) fn models<'s>(&self, scene: &'s Scene) -> Vec<&'s CloudModel> {
-        let mut models: Vec<&CloudModel> = Vec::new();
-        for id in self.items.iter().rev().filter_map(|item| item.model(scene)) {
-            if !models.iter().any(|model| model.id == id) {
-                models.extend(scene.model(id));
-            }
-        }
-        models
+        let ids = self.items.iter().rev().filter_map(|item| item.model(scene));
+        let mut seen = BTreeSet::new();
+        ids.filter(|id| seen.insert(*id)).filter_map(|id| scene.model(id)).collect()
     }
 
     /// The placement that the primary is seen in: the cloud itself, the one that it was picked in, or the first of its

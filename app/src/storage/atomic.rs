@@ -6,9 +6,12 @@
 
 use super::{Stamp, StorageError, leftover};
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
+
+/// A file that is being written, not yet under its name.
+pub type Sink<'a> = BufWriter<&'a File>;
 
 /// What may be replaced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -36,7 +39,16 @@ pub fn write_atomic(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
 /// # Errors
 /// As [`write_atomic`].
 pub fn write_one_of_many(path: &Path, bytes: &[u8]) -> Result<(), StorageError> {
-    write(path, &target_of(path), bytes, Over::Anything).map(drop)
+    write(path, &target_of(path), Over::Anything, |sink| sink.write_all(bytes)).map(drop)
+}
+
+/// As [`write_atomic`], with the bytes that `fill` writes as they come: a file may be larger than the memory. If `fill`
+/// fails nothing is left, and what was there before is untouched.
+///
+/// # Errors
+/// As [`write_atomic`], and those of `fill`.
+pub fn write_streamed(path: &Path, fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>) -> Result<(), StorageError> {
+    sweep_and_write(path, Over::Anything, fill).map(drop)
 }
 
 /// As [`write_atomic`], over what `over` allows. Gives the new file's stamp.
@@ -44,10 +56,18 @@ pub fn write_one_of_many(path: &Path, bytes: &[u8]) -> Result<(), StorageError> 
 /// # Errors
 /// As [`write_atomic`], and [`StorageError::InTheWay`].
 pub fn write_over(path: &Path, bytes: &[u8], over: Over) -> Result<Stamp, StorageError> {
+    sweep_and_write(path, over, |sink| sink.write_all(bytes))
+}
+
+fn sweep_and_write(
+    path: &Path,
+    over: Over,
+    fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>,
+) -> Result<Stamp, StorageError> {
     let target = target_of(path);
     // First, as it may make the space that is needed.
     leftover::sweep(folder_of(&target));
-    write(path, &target, bytes, over)
+    write(path, &target, over, fill)
 }
 
 /// Whether [`write_atomic`] could write there: asked before work that takes long. Takes away what killed programs left in
@@ -66,7 +86,12 @@ fn target_of(path: &Path) -> PathBuf {
     fs::canonicalize(path).unwrap_or_else(|_| path.into())
 }
 
-fn write(path: &Path, target: &Path, bytes: &[u8], over: Over) -> Result<Stamp, StorageError> {
+fn write(
+    path: &Path,
+    target: &Path,
+    over: Over,
+    fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>,
+) -> Result<Stamp, StorageError> {
     let fail = |error: io::Error| StorageError::write(path, &error);
     let in_the_way = |reason: &str| StorageError::InTheWay { path: path.into(), reason: reason.into() };
     let taken = "there is a file of that name already";
@@ -78,8 +103,10 @@ fn write(path: &Path, target: &Path, bytes: &[u8], over: Over) -> Result<Stamp, 
         }
         _ => {}
     }
-    let mut file = temporary_beside(path, target)?;
-    file.write_all(bytes).map_err(fail)?;
+    let file = temporary_beside(path, target)?;
+    let mut sink = Sink::new(file.as_file());
+    fill(&mut sink).and_then(|()| sink.flush()).map_err(fail)?;
+    drop(sink);
     if let Ok(before) = fs::metadata(target) {
         file.as_file().set_permissions(before.permissions()).map_err(fail)?;
     }
@@ -162,6 +189,9 @@ mod tests {
         assert!(write_atomic(&path.join("b.txt"), b"x").is_err(), "a file is no folder");
         assert!(write_atomic(folder.path(), b"x").is_err(), "a folder is no file");
         assert!(write_atomic(&folder.path().join("none/b.txt"), b"x").is_err());
+        let stopped = |sink: &mut Sink<'_>| sink.write_all(&[0; 100_000]).and(Err(io::ErrorKind::Interrupted.into()));
+        assert!(write_streamed(&path, stopped).is_err());
+        assert_eq!(read(&path, 3).expect("readable"), b"two", "as before");
         assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 1, "nothing is left behind");
     }
 

@@ -56,25 +56,22 @@ fn tint(each: &CloudBox) -> Color32 {
 
 /// How a box stands out; none for one that has nothing to do with the selection.
 fn stroke_of(cloud: &Cloud, each: &CloudBox, state: &ViewState) -> Option<Stroke> {
-    let strokes = state.selection.items().iter().filter_map(|item| match *item {
-        Item::Box(of, id) if of == cloud.model && id == each.id => Some(theme::SELECTED_BOX),
-        Item::Cloud(id) if id == cloud.id => Some(theme::SELECTED_CLOUD),
-        Item::Model(of) | Item::Box(of, _) | Item::Sprite(of, ..) | Item::Group(of, _) if of == cloud.model => {
-            Some(theme::RELATED_BOX)
-        }
-        _ => None,
-    });
+    let selection = &state.selection;
+    let strokes = [
+        (selection.contains(Item::Box(cloud.model, each.id)), theme::SELECTED_BOX),
+        (selection.contains(Item::Cloud(cloud.id)), theme::SELECTED_CLOUD),
+        (selection.of_model(cloud.model) || selection.has_box_of(cloud.model), theme::RELATED_BOX),
+    ];
+    let strokes = strokes.into_iter().filter_map(|(is_its, stroke)| is_its.then_some(stroke));
     strokes.max_by(|a, b| a.width.total_cmp(&b.width))
 }
 
 /// Whether the pointer's aim includes a cloud's boxes: they are drawn.
 pub(super) fn shows_boxes_of(cloud: &Cloud, state: &ViewState) -> bool {
-    let about = |item: &Item| match *item {
-        Item::Cloud(id) => id == cloud.id,
-        Item::Model(of) | Item::Box(of, _) | Item::Sprite(of, ..) | Item::Group(of, _) => of == cloud.model,
-        _ => false,
-    };
-    state.show_all_boxes || state.group_view || state.selection.items().iter().any(about)
+    let (selection, model) = (&state.selection, cloud.model);
+    let is_about =
+        selection.contains(Item::Cloud(cloud.id)) || selection.of_model(model) || selection.has_box_of(model);
+    state.show_all_boxes || state.group_view || is_about
 }
 
 fn outline(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox, stroke: Stroke) {

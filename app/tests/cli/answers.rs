@@ -50,9 +50,40 @@ fn info_counts() {
     let low = |which: &Value| which["bounds"]["low"][0].as_f64().expect("a number");
     assert_eq!(low(&counts["total"]), low(&clouds[0]), "the western cloud bounds the west");
     let text = place.run("info good.cloudscene").stdout;
-    for word in ["1 models", "main, above", "west", "east", "total", "bounds"] {
+    for word in ["good: 1 model, 2 boxes, 2 clouds\n", "main, above", "west", "east", "total", "bounds"] {
         assert!(text.contains(word), "no {word} in {text}");
     }
+}
+
+#[test]
+fn info_lists_paths_and_who_flies_along_them() {
+    let place = Place::new();
+    let key = |time_s: f64| json!({ "time_s": time_s, "position": [time_s, 900, 0], "heading_deg": 0, "pitch_deg": 0 });
+    let path =
+        |id: u64, name: &str, keys: Value| json!({ "id": id, "name": name, "field_of_view_deg": 60, "keys": keys });
+    let flight = changed(|s| {
+        let through = path(90, "through", json!([key(2.0), key(5.0), key(9.5)]));
+        s["paths"] = json!([through, path(91, "post", json!([key(1.0)]))]);
+        let aircraft = |id: u64, name: &str| json!({ "id": id, "name": name, "path": 90 });
+        s["aircraft"] = json!([aircraft(92, "trainer"), aircraft(93, "wingman")]);
+        s["next_id"] = json!(94);
+    });
+    place.put("flight.cloudscene", &flight);
+    assert_eq!(
+        as_json(&place.run("info --json flight.cloudscene").stdout)["paths"],
+        json!([
+            { "name": "through", "duration_s": 7.5, "keys": 3, "aircraft": ["trainer", "wingman"] },
+            { "name": "post", "duration_s": 0.0, "keys": 1, "aircraft": [] },
+        ])
+    );
+    let text = place.run("info flight.cloudscene").stdout;
+    let words = |name: &str| {
+        let line = text.lines().find(|line| line.starts_with(name)).unwrap_or_else(|| panic!("no {name} in {text}"));
+        line.split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    assert_eq!(words("path "), "path seconds keys aircraft");
+    assert_eq!(words("through"), "through 7.5 3 trainer, wingman");
+    assert_eq!(words("post"), "post 0.0 1 none");
 }
 
 #[test]

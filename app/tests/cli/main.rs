@@ -17,6 +17,7 @@ mod new;
 mod pictures;
 mod scenes;
 mod special_files;
+mod stopping;
 mod terminal;
 mod thin;
 

@@ -29,7 +29,12 @@ pub(crate) fn good_scene() -> Scene {
 
 /// Its file.
 pub(crate) fn good() -> String {
-    scene_file::write(&good_scene()).expect("a sound scene")
+    text(&good_scene())
+}
+
+/// The file of any sound scene.
+pub(crate) fn text(scene: &Scene) -> String {
+    scene_file::write(scene).expect("a sound scene")
 }
 
 /// Its file, changed as a JSON value.

@@ -6,7 +6,7 @@
 
 use super::{Arrangement, ModelSpace, Plan, Thing};
 use crate::property::SPRITE_PLACE;
-use crate::scene::{BoxId, Cloud, CloudBox, ModelId, Scene, SpriteEdit};
+use crate::scene::{BoxId, Cloud, CloudBox, CloudModel, ModelId, Scene, SpriteEdit};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -33,6 +33,19 @@ pub fn moved_in_world(scene: &Scene, cloud: &Cloud, places: &[(SpriteId, DVec3)]
 pub fn dropped(scene: &Scene, model: ModelId, sprites: &[SpriteId]) -> Arrangement {
     let sprites: Vec<_> = sprites.iter().map(|&sprite| (sprite, ())).collect();
     changed(scene, model, &sprites, |_, edit, ()| edit.dropped = true)
+}
+
+/// The same, in a model that is in no document.
+pub(crate) fn drop_from(model: &mut CloudModel, sprites: &[SpriteId]) {
+    let mut of_box: BTreeMap<BoxId, Vec<u32>> = BTreeMap::new();
+    for &(id, index) in sprites {
+        of_box.entry(id).or_default().push(index);
+    }
+    for at in 0..model.boxes.len() {
+        if let Some(indices) = of_box.get(&model.boxes[at].id) {
+            change_edits(&mut model.boxes[at], |edits| indices.iter().for_each(|&i| edits.of(i).dropped = true));
+        }
+    }
 }
 
 /// Gives sprites back the places that chance gave them, dropped ones included. They stay in the groups they are in.

@@ -19,7 +19,7 @@ pub struct Plan<'a> {
     ground_altitude_m: Option<f64>,
     /// Models whose sprites stay.
     kept: FxHashMap<Key, Populated>,
-    /// Models to strew.
+    /// Models to strew, in order of their keys.
     fresh: Vec<(Key, Arc<CloudModel>)>,
     clouds: Vec<Step<'a>>,
     work: u64,
@@ -106,7 +106,8 @@ impl<'a> Plan<'a> {
             let step = if as_it_was { Step::Keep(old) } else { Step::Dress(old, cloud, populated.clone()) };
             return self.clouds.push(step);
         }
-        let of_fresh = || self.fresh.iter().find(|(each, _)| *each == key).map_or(0, |(_, model)| sprites_tried(model));
+        let fresh = self.fresh.binary_search_by_key(&key, |(each, _)| *each);
+        let of_fresh = || fresh.map_or(0, |at| sprites_tried(&self.fresh[at].1));
         self.work += PLACING * populated.map_or_else(of_fresh, |populated| populated.sprites.sprites.len() as u64);
         self.clouds.push(Step::Place(cloud, key));
     }

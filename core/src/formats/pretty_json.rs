@@ -3,11 +3,15 @@
 //! A list or object goes on one line if it fits and holds nothing nested deeper than a list of numbers, so a colour or
 //! a corner is a line and a diff shows what changed.
 
+use rayon::prelude::*;
 use serde_json::Value;
 use std::fmt::Write;
+use std::io;
 
 /// Up to this length a list or object stays on one line.
 const LINE: usize = 110;
+/// Items of a list whose text is made in parallel: some megabytes.
+const AT_A_TIME: usize = 2048;
 
 /// `value` as text, ending in a newline.
 pub fn write(value: &Value) -> String {
@@ -17,40 +21,96 @@ pub fn write(value: &Value) -> String {
     out
 }
 
-/// Appends an object, `indent` spaces in, whose last field is a long list: `item(out, i)` appends one item, `indent` + 4
-/// spaces in. So only one item at a time stands in memory as a tree.
-pub fn write_list<E>(
-    out: &mut String,
+/// Writes an object field by field, so that no more than one item of a long list stands in memory.
+#[derive(Debug)]
+pub struct LongObject<'a, W> {
+    out: &'a mut W,
     indent: usize,
-    head: &[(&str, Value)],
-    (name, count): (&str, usize),
-    mut item: impl FnMut(&mut String, usize) -> Result<(), E>,
-) -> Result<(), E> {
-    let new_line = |out: &mut String, indent: usize| {
-        out.push('\n');
-        out.extend(std::iter::repeat_n(' ', indent));
-    };
-    out.push('{');
-    for (key, value) in head {
-        new_line(out, indent + 2);
-        let _ = write!(out, "{}: ", Value::from(*key));
-        write_value(value, indent + 2, out);
-        out.push(',');
+    is_empty: bool,
+}
+
+impl<'a, W: io::Write> LongObject<'a, W> {
+    /// Begins one, `indent` spaces in.
+    ///
+    /// # Errors
+    /// Those of `out`, as with all that follows.
+    pub fn begin(out: &'a mut W, indent: usize) -> io::Result<Self> {
+        write!(out, "{{")?;
+        Ok(Self { out, indent, is_empty: true })
     }
-    new_line(out, indent + 2);
-    let _ = write!(out, "{}: [", Value::from(name));
-    for i in 0..count {
-        out.push_str(if i > 0 { "," } else { "" });
-        new_line(out, indent + 4);
-        item(out, i)?;
+
+    /// Writes a field.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn field(&mut self, name: &str, value: &Value) -> io::Result<()> {
+        self.name(name)?;
+        let mut text = String::new();
+        write_value(value, self.indent + 2, &mut text);
+        self.out.write_all(text.as_bytes())
     }
-    if count > 0 {
-        new_line(out, indent + 2);
+
+    /// Writes a field that is a list of `items`, each a tree as long as it is written; some at a time, in parallel.
+    ///
+    /// # Errors
+    /// Those of `out` and of `tree_of`.
+    pub fn list<T: Send>(
+        &mut self,
+        name: &str,
+        mut items: impl Iterator<Item = T>,
+        tree_of: impl Fn(T) -> serde_json::Result<Value> + Sync,
+    ) -> io::Result<()> {
+        let indent = self.indent + 4;
+        let text_of = |item| {
+            let mut text = String::new();
+            tree_of(item).map(|tree| write_value(&tree, indent, &mut text)).map(|()| text)
+        };
+        let texts = std::iter::from_fn(|| {
+            let some: Vec<T> = items.by_ref().take(AT_A_TIME).collect();
+            let texts = some.into_par_iter().map(text_of).collect::<Vec<_>>();
+            (!texts.is_empty()).then_some(texts)
+        });
+        self.list_by(name, texts.flatten(), |out, text| out.write_all(text?.as_bytes()))
     }
-    out.push(']');
-    new_line(out, indent);
-    out.push('}');
-    Ok(())
+
+    /// Writes a field that is a list of `items`, each written by `write_item`, 4 spaces further in than the object.
+    ///
+    /// # Errors
+    /// Those of `out` and of `write_item`.
+    pub fn list_by<T>(
+        &mut self,
+        name: &str,
+        items: impl Iterator<Item = T>,
+        mut write_item: impl FnMut(&mut W, T) -> io::Result<()>,
+    ) -> io::Result<()> {
+        self.name(name)?;
+        write!(self.out, "[")?;
+        let mut is_empty = true;
+        for item in items {
+            let between = if is_empty { "" } else { "," };
+            write!(self.out, "{between}\n{:1$}", "", self.indent + 4)?;
+            write_item(self.out, item)?;
+            is_empty = false;
+        }
+        if !is_empty {
+            write!(self.out, "\n{:1$}", "", self.indent + 2)?;
+        }
+        write!(self.out, "]")
+    }
+
+    /// Ends it.
+    ///
+    /// # Errors
+    /// Those of `out`.
+    pub fn end(self) -> io::Result<()> {
+        write!(self.out, "\n{:1$}}}", "", self.indent)
+    }
+
+    fn name(&mut self, name: &str) -> io::Result<()> {
+        let between = if self.is_empty { "" } else { "," };
+        self.is_empty = false;
+        write!(self.out, "{between}\n{:2$}{}: ", "", Value::from(name), self.indent + 2)
+    }
 }
 
 /// Appends `value`, `indent` spaces in.

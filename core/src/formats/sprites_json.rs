@@ -3,17 +3,16 @@
 //! Metres in the world; angles in degrees counter-clockwise as seen; colours linear with straight alpha; heights of
 //! levels and corners from 0 at the cloud's bottom to 1 at its top; tiles 0 to 15 row by row.
 
-use super::pretty_json;
-use crate::camera::View;
+use super::pretty_json::LongObject;
 use crate::color::{Rgb, Rgba, shortest_f64};
-use crate::facing::{Pose, corners};
+use crate::posed_sprite::{PosedSprite, Still};
 use crate::scene::{BoxId, ColorLevel};
-use crate::shading::corner_light;
 use crate::sprites::{Group, PlacedCloud, Sprite};
-use crate::weather::{CloudNow, FormingRule, Light};
+use crate::watch::Watch;
 use glam::{DVec3, Vec3};
 use serde::Serialize;
 use serde_json::to_value;
+use std::io::{self, Write};
 
 #[derive(Serialize)]
 struct LightOut {
@@ -62,59 +61,46 @@ struct CornerOut {
     color: Rgba,
 }
 
-/// How corners are seen, for both formats.
-#[derive(Debug, Clone, Copy)]
-pub struct Shaded<'a> {
-    /// Which eye the sprites face.
-    pub view: &'a View,
-    /// The light on them.
-    pub light: &'a Light,
-    /// Seconds of the scene's clock: how far clouds have formed.
-    pub clock_s: f64,
-}
-
-/// All `clouds` as text. With `shaded`, each sprite has its corners as that eye sees them.
+/// Writes all `clouds` as text. With `shaded`, each sprite has its corners as that still shows them. The text ends early
+/// if `watch` is cancelled.
 ///
 /// # Errors
-/// None in practice: every number of a placed cloud is finite.
-pub fn write(clouds: &[PlacedCloud], shaded: Option<Shaded<'_>>) -> Result<String, serde_json::Error> {
-    let mut head = vec![("format", "cloudwright-sprites".into()), ("version", 1.into())];
-    if let Some(Shaded { light, .. }) = shaded {
+/// Those of `out`. None of its own in practice: every number of a placed cloud is finite.
+pub fn write(out: &mut impl Write, clouds: &[PlacedCloud], shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
+    watch.expect(clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum());
+    let mut file = LongObject::begin(out, 0)?;
+    file.field("format", &"cloudwright-sprites".into())?;
+    file.field("version", &1.into())?;
+    if let Some(Still { light, .. }) = shaded {
         let light = LightOut {
             time: crate::math::clock(light.time_h),
             sun_direction: light.sun_direction.to_array().map(shortest_f64),
             ambient_max: light.ambient_max,
             directional_max: light.directional_max,
         };
-        head.push(("light", to_value(light)?));
+        file.field("light", &to_value(light)?)?;
     }
-    let mut out = String::new();
-    pretty_json::write_list(&mut out, 0, &head, ("clouds", clouds.len()), |out, i| {
-        write_cloud(out, &clouds[i], shaded)
-    })?;
-    out.push('\n');
-    Ok(out)
+    file.list_by("clouds", clouds.iter(), |out, cloud| write_cloud(out, cloud, shaded, watch))?;
+    file.end()?;
+    writeln!(out)
 }
 
-fn write_cloud(out: &mut String, cloud: &PlacedCloud, shaded: Option<Shaded<'_>>) -> Result<(), serde_json::Error> {
+fn write_cloud(out: &mut impl Write, cloud: &PlacedCloud, shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
     let levels = cloud.color_levels.map(|ColorLevel { height, color }| LevelOut { height, rgba: color });
-    let groups: Vec<GroupOut> = cloud.groups.iter().map(|group| group_out(cloud, group)).collect();
     let altitude = |y: f32| ten_thousandths(cloud.origin.y + f64::from(y));
-    let head = [
-        ("id", to_value(cloud.id)?),
-        ("name", cloud.name.as_str().into()),
-        ("category", to_value(cloud.category)?),
-        ("center", to_value(in_world(cloud, cloud.center))?),
-        ("radius", shortest_f64(cloud.radius).into()),
-        ("bottom", altitude(cloud.bottom).into()),
-        ("top", altitude(cloud.top).into()),
-        ("color_levels", to_value(levels)?),
-        ("groups", to_value(groups)?),
-    ];
-    pretty_json::write_list(out, 4, &head, ("sprites", cloud.sprites.len()), |out, i| {
-        pretty_json::write_value(&to_value(sprite_out(cloud, &cloud.sprites[i], shaded))?, 8, out);
-        Ok(())
-    })
+    let mut object = LongObject::begin(out, 4)?;
+    object.field("id", &to_value(cloud.id)?)?;
+    object.field("name", &cloud.name.as_str().into())?;
+    object.field("category", &to_value(cloud.category)?)?;
+    object.field("center", &to_value(in_world(cloud, cloud.center))?)?;
+    object.field("radius", &shortest_f64(cloud.radius).into())?;
+    object.field("bottom", &altitude(cloud.bottom).into())?;
+    object.field("top", &altitude(cloud.top).into())?;
+    object.field("color_levels", &to_value(levels)?)?;
+    object.list("groups", cloud.groups.iter(), |group| to_value(group_out(cloud, group)))?;
+    let sprites = watch.along(1, cloud.sprites.iter());
+    object.list("sprites", sprites, |sprite| to_value(sprite_out(cloud, sprite, shaded)))?;
+    object.end()
 }
 
 fn group_out(cloud: &PlacedCloud, group: &Group) -> GroupOut {
@@ -122,8 +108,7 @@ fn group_out(cloud: &PlacedCloud, group: &Group) -> GroupOut {
     GroupOut { id: group.key.to_string(), center: in_world(cloud, group.center), c_min, c_med, c_max }
 }
 
-fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<Shaded<'_>>) -> SpriteOut {
-    let group = &cloud.groups[sprite.group as usize];
+fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<Still<'_>>) -> SpriteOut {
     SpriteOut {
         box_id: sprite.box_id,
         index: sprite.index,
@@ -132,19 +117,14 @@ fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<Shaded<'_>>) 
         height: shortest_f64(sprite.height),
         rotation_deg: shortest_f64(sprite.rotation.to_degrees()),
         tile: sprite.tile,
-        group: group.key.to_string(),
-        corners: shaded.map(|shaded| corners_out(cloud, sprite, group, shaded)),
+        group: cloud.groups[sprite.group as usize].key.to_string(),
+        corners: shaded.map(|still| corners_out(cloud, &still.posed(cloud, sprite))),
     }
 }
 
-fn corners_out(cloud: &PlacedCloud, sprite: &Sprite, group: &Group, shaded: Shaded<'_>) -> [CornerOut; 4] {
-    let Shaded { view, light, clock_s } = shaded;
-    let now = CloudNow::at(cloud, clock_s, FormingRule::ClosedForm);
-    let center = now.from_eye(view.eye) + sprite.position;
-    let pose = Pose::still(center, sprite.radius(), view);
-    corners(sprite.position, pose.facing(sprite.rotation), sprite.width, sprite.height).map(|point| {
-        let mut lit = corner_light(point, &now, group, light);
-        lit.ambient.a *= pose.fade;
+fn corners_out(cloud: &PlacedCloud, posed: &PosedSprite<'_>) -> [CornerOut; 4] {
+    posed.corners(posed.sprite.position).map(|point| {
+        let lit = posed.light_at(point);
         CornerOut {
             position: in_world(cloud, point),
             height: shortest_f64(lit.height),

@@ -44,7 +44,8 @@ pub fn overdraw(frame: &Frame<'_>) -> Overdraw {
             part.iter().map(area).sum()
         })
         .collect();
-    let fragments = parts.iter().sum();
+    // Not sum(), which of nothing is −0.
+    let fragments = parts.iter().fold(0.0, |sum, part| sum + part);
     Overdraw { fragments, mean_per_pixel: fragments / (f64::from(view.width) * f64::from(view.height)) }
 }
 

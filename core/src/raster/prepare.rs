@@ -7,10 +7,9 @@
 use crate::camera::{NEAR_M, View};
 use crate::color::Premultiplied;
 use crate::draw_list::DrawSprite;
-use crate::facing::corners;
 use crate::frame::Frame;
+use crate::posed_sprite::PosedSprite;
 use crate::rules::Filter;
-use crate::shading::corner_light;
 use crate::sky::{DomeTables, haze_share};
 use crate::sprites::{Atlas, MIP_LEVELS, TILE_SIZE, TileLevel};
 use glam::{DVec3, Vec2, Vec3};
@@ -102,20 +101,17 @@ fn put_on_screen(frame: &Frame<'_>, sprites: &[DrawSprite], fade: f32, on_screen
 
 fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite, fade: f32) -> ScreenSprite {
     let view = &frame.view;
-    let cloud = &frame.now.clouds[drawn.cloud as usize];
-    let sprite = &cloud.placed.sprites[drawn.sprite as usize];
-    let pose = frame.list.pose(drawn, view);
-    let facing = pose.facing(sprite.rotation);
-    let quad = corners(drawn.center, facing, sprite.width, sprite.height);
+    let posed = frame.posed(drawn);
+    let PosedSprite { cloud, sprite, facing, .. } = posed;
+    let quad = posed.corners(drawn.center);
 
     // Light is taken where the sprite is at rest.
     let rest = cloud.from_eye(view.eye) + cloud.moved(sprite);
-    let group = &cloud.placed.groups[sprite.group as usize];
     let hazed = haze_share(drawn.center.length(), frame.background.haze_length_m);
     let haze_color = dome.horizon(drawn.center);
     let lit = quad.map(|corner| {
-        let color = corner_light(corner - rest, cloud, group, &frame.now.light).color();
-        (color.rgb * (1.0 - hazed), color.a * pose.fade * fade)
+        let color = posed.light_at(corner - rest).color();
+        (color.rgb * (1.0 - hazed), color.a * fade)
     });
 
     let anchor = view.project(drawn.center).map_or(Vec2::new(view.width as f32, view.height as f32) * 0.5, Vec2::floor);

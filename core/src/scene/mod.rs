@@ -41,6 +41,7 @@ pub use shading_group::{GroupCenter, GroupLight, ShadingGroup};
 pub use sun::{Date, Place, Sun};
 pub use thing::{InScene, PoseMut, Thing};
 
+use rustc_hash::FxHashMap;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -88,6 +89,11 @@ impl Scene {
     /// The model of that id.
     pub fn model(&self, id: ModelId) -> Option<&CloudModel> {
         self.models.with_id(id)
+    }
+
+    /// All models by their ids, for whoever looks up many.
+    pub fn models_by_id(&self) -> FxHashMap<ModelId, &CloudModel> {
+        self.models.iter().map(|model| (model.id, model)).collect()
     }
 
     /// The cloud of that id.

@@ -46,10 +46,10 @@ fn added(frame: &Frame<'_>) -> Vec<f32> {
     let sprites = prepare(frame);
     let tiles = map_tiles(&sprites, width, height, |rect, members| {
         let mut sums = vec![0.0; members.len()];
-        let mut fragments = Vec::new();
+        let mut shown = Vec::new();
         for i in 0..rect.width * rect.height {
             let at = [rect.left + i % rect.width, rect.top + i / rect.width].map(|pixel| pixel as f32 + 0.5);
-            add_pixel(frame, &sprites, (members, &mut sums), at, &mut fragments);
+            add_pixel(frame, &sprites, (members, &mut sums), at, &mut shown);
         }
         members.iter().copied().zip(sums).collect()
     });
@@ -61,36 +61,43 @@ fn added(frame: &Frame<'_>) -> Vec<f32> {
     losses.into_iter().map(|loss| loss * scale).collect()
 }
 
+/// What a sprite shows at a pixel.
+struct Shown {
+    /// Which of the tile's members.
+    member: usize,
+    fragment: Premultiplied,
+    /// Transmittance of all that stands before it, the veil apart.
+    before: f32,
+}
+
 /// Adds a pixel's changes to the `sums` of the tile's `members`, which stand nearest first.
 fn add_pixel(
     frame: &Frame<'_>,
     sprites: &[ScreenSprite],
     (members, sums): (&[u32], &mut [f32]),
     [x, y]: [f32; 2],
-    fragments: &mut Vec<(usize, Premultiplied)>,
+    shown: &mut Vec<Shown>,
 ) {
-    fragments.clear();
-    let mut through = 1.0 - frame.veil.a;
-    for (place, &member) in members.iter().enumerate() {
+    shown.clear();
+    let (mut through, mut before) = (1.0 - frame.veil.a, 1.0);
+    for (member, &sprite) in members.iter().enumerate() {
         if through < OPAQUE {
             break;
         }
-        let sprite = &sprites[member as usize];
+        let sprite = &sprites[sprite as usize];
         if let Some((fragment, _)) = sprite.fragment(frame.atlas, x, y, |_| sprite.mip) {
-            fragments.push((place, fragment));
+            shown.push(Shown { member, fragment, before });
             through *= 1.0 - fragment.a;
+            before *= 1.0 - fragment.a;
         }
     }
-    if fragments.is_empty() {
+    if shown.is_empty() {
         return;
     }
     let mut behind = frame.background.color(frame.view.ray(x, y), frame.view.pixel());
-    for (place, fragment) in fragments.iter().rev() {
-        // What is before it in the list, without divisions by 1 − α.
-        let nearer = fragments.iter().take_while(|(other, _)| other < place);
-        let through: f32 = nearer.map(|(_, other)| 1.0 - other.a).product();
+    for Shown { member, fragment, before } in shown.iter().rev() {
         let added = Rgb::new(fragment.r, fragment.g, fragment.b) + behind * -fragment.a;
-        sums[*place] += through * (1.0 - frame.veil.a) * added.to_array().map(f32::abs).into_iter().fold(0.0, f32::max);
+        sums[*member] += before * (1.0 - frame.veil.a) * added.to_array().map(f32::abs).into_iter().fold(0.0, f32::max);
         behind = behind + added;
     }
 }

@@ -1,7 +1,7 @@
 //! Model no more than a scene needs: sprites that nobody would miss are dropped.
 //!
-//! A scene is looked at from its cameras, along its paths and from around each cloud, that one alone (`vantages.rs`), by
-//! the light of its hour and with every cloud whole. Sprites are sorted by the most that they add to any of these
+//! A scene is looked at from its cameras, along its paths and from around each cloud, that one alone (`vantages.rs`, which
+//! says whence where there are many), by the light of its hour and with every cloud whole. Sprites are sorted by the most that they add to any of these
 //! pictures (`losses.rs`), and as many of the least are dropped as leave each picture's mean FLIP against the scene as it
 //! was within the tolerance (`judge.rs`). Then what is left is weighed again, for what stood behind the dropped ones shows
 //! now. Where even a few can't be spared although they show little (they moved the light of others, say), they stay, and
@@ -44,6 +44,8 @@ pub struct Thinned {
     pub worst_view: String,
     /// How many views there are.
     pub views: usize,
+    /// How many models keep all their sprites, because there are so many that no view is around any of their clouds.
+    pub models_left: usize,
 }
 
 /// Why a scene is not thinned.
@@ -56,7 +58,7 @@ pub enum ThinError {
     #[error("the scene has no sprites")]
     NoSprites,
     /// The first step is too much already.
-    #[error("without even the {sprites} sprites that show least, a view is further off than {tolerance}")]
+    #[error("dropping as few as {sprites} of the sprites that show least puts a view further off than {tolerance}")]
     CannotHold {
         /// How many were tried.
         sprites: usize,
@@ -79,13 +81,14 @@ pub fn thin(scene: &Scene, atlas: &Atlas, tolerance: f64, watch: &Watch) -> Resu
     if !(tolerance > 0.0 && tolerance <= 1.0) {
         return Err(ThinError::Tolerance(tolerance));
     }
-    let mut trial = Trial::new(scene);
+    let mut trial = Trial::new(scene, watch).ok_or(ThinError::Cancelled)?;
     let before = trial.sprite_count();
     if before == 0 {
         return Err(ThinError::NoSprites);
     }
     let judge = Judge::new(&trial, atlas, tolerance, watch);
-    let finest = (trial.keys_at_first / FINEST).max(1);
+    let keys_at_first = judge.key_count(&trial);
+    let finest = (keys_at_first / FINEST).max(1);
     let (mut held, mut step, mut missed) = (None, usize::MAX, FxHashSet::default());
     let mut ranked = Vec::new();
     while missed.len() < MISSED * finest && !watch.is_cancelled() {
@@ -97,7 +100,7 @@ pub fn thin(scene: &Scene, atlas: &Atlas, tolerance: f64, watch: &Watch) -> Resu
         if step < finest {
             break;
         }
-        watch.reach(progress(step, missed.len(), trial.keys_at_first));
+        watch.reach(progress(step, missed.len(), keys_at_first));
         trial.drop_sprites(&ranked[..step]);
         match judge.worst(&trial) {
             Some(worst) => (held, ranked) = (Some(worst), Vec::new()),
@@ -121,6 +124,7 @@ pub fn thin(scene: &Scene, atlas: &Atlas, tolerance: f64, watch: &Watch) -> Resu
             error,
             worst_view: judge.vantages[view].name.clone(),
             views: judge.vantages.len(),
+            models_left: judge.kept_models(&trial),
         }),
     }
 }

@@ -1,39 +1,46 @@
-//! The scene with some sprites less, one undoable step after the other.
+//! The scene with some sprites less, one step after the other; the last step can be taken back.
 
 use super::Key;
-use crate::arrange::sprites::{SpriteId, dropped};
+use crate::arrange::sprites::{SpriteId, drop_from};
 use crate::derived::Derived;
-use crate::document::{Document, Edit, ListEdit};
+use crate::document::{Change, Edit, ListEdit};
 use crate::scene::{CloudId, ModelId, Scene};
 use crate::sprites::{PlacedCloud, Sprite};
+use crate::watch::Watch;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The scene with some sprites less.
-pub(super) struct Trial {
-    pub(super) document: Document,
+pub(super) struct Trial<'a> {
+    pub(super) scene: Scene,
     pub(super) derived: Derived,
     pub(super) models: FxHashMap<CloudId, ModelId>,
-    /// What each cloud showed at first; what else appears was hidden by what is gone.
-    at_first: FxHashMap<CloudId, FxHashSet<SpriteId>>,
+    /// Before the last step.
+    before: Option<(Scene, Derived)>,
+    /// What clouds show at first, by model and seed; what else appears was hidden by what is gone.
+    at_first: FxHashMap<(ModelId, u64), FxHashSet<SpriteId>>,
     /// What any cloud of a model showed at first.
-    wanted: FxHashSet<Key>,
-    pub(super) keys_at_first: usize,
+    pub(super) wanted: FxHashSet<Key>,
+    watch: &'a Watch,
 }
 
-impl Trial {
-    /// With every cloud whole, whatever the clock says.
-    pub(super) fn new(scene: &Scene) -> Self {
+impl<'a> Trial<'a> {
+    /// With every cloud whole, whatever the clock says. None if `watch` was cancelled.
+    pub(super) fn new(scene: &Scene, watch: &'a Watch) -> Option<Self> {
         let mut scene = scene.clone();
         scene.clouds.iter_mut().for_each(|cloud| cloud.formation = None);
-        let derived = Derived::new(&scene);
+        let nothing = Derived::default();
+        let derived = nothing.plan(&scene, &Change::everything()).carry_out(&watch.part())?;
         let models: FxHashMap<_, _> = scene.clouds.iter().map(|cloud| (cloud.id, cloud.model)).collect();
-        let shown = |cloud: &PlacedCloud| cloud.sprites.iter().map(id_of).collect();
-        let at_first: FxHashMap<CloudId, FxHashSet<SpriteId>> =
-            derived.clouds().iter().map(|cloud| (cloud.id, shown(cloud))).collect();
-        let of_models = at_first.iter().flat_map(|(cloud, shown)| shown.iter().map(|&sprite| (models[cloud], sprite)));
-        let wanted: FxHashSet<Key> = of_models.collect();
-        let keys_at_first = wanted.len();
-        Self { document: Document::new(scene), derived, models, at_first, wanted, keys_at_first }
+        let seeds = scene.models_by_id();
+        let seed_of =
+            |cloud: &crate::scene::Cloud| Some((cloud.model, cloud.seed.or(Some(seeds.get(&cloud.model)?.seed))?));
+        let mut at_first = FxHashMap::default();
+        for key in scene.clouds.iter().filter_map(seed_of) {
+            at_first.entry(key).or_insert_with(|| shown(&derived, key).collect::<FxHashSet<_>>());
+        }
+        let of_models = at_first.iter().flat_map(|((model, _), shown)| shown.iter().map(|&sprite| (*model, sprite)));
+        let wanted = of_models.collect();
+        Some(Self { scene, derived, models, before: None, at_first, wanted, watch })
     }
 
     /// Sprites that say where a cloud ends: without them, the light on all others would change.
@@ -60,16 +67,19 @@ impl Trial {
         self.derived.clouds().iter().map(|cloud| cloud.sprites.len() as u64).sum()
     }
 
-    /// One step of the document.
+    /// The sprites that are left, each once for all clouds of its model.
+    pub(super) fn keys(&self) -> impl Iterator<Item = Key> {
+        self.at_first.keys().flat_map(|&key| shown(&self.derived, key).map(move |sprite| (key.0, sprite)))
+    }
+
+    /// One step. Less may be dropped if the watch is cancelled.
     pub(super) fn drop_sprites(&mut self, keys: &[Key]) {
-        self.document.begin("Thin");
+        self.before = Some((self.scene.clone(), self.derived.clone()));
         let mut keys = keys.to_vec();
-        while !keys.is_empty() {
+        while !keys.is_empty() && !self.watch.is_cancelled() {
             self.apply(&keys);
             keys = self.come_up();
         }
-        // Edits of boxes that are there don't fail.
-        let _ = self.document.commit();
     }
 
     fn apply(&mut self, keys: &[Key]) {
@@ -77,41 +87,47 @@ impl Trial {
         for &(model, sprite) in keys {
             of_model.entry(model).or_default().push(sprite);
         }
-        let scene = self.document.scene();
-        let edits: Vec<_> =
-            of_model.iter().flat_map(|(model, sprites)| dropped(scene, *model, sprites).edits).collect();
-        for edit in edits {
-            if let Ok(change) = self.document.apply(edit) {
-                self.derived.update(self.document.scene(), &change);
+        for at in 0..self.scene.models.len() {
+            if let Some(sprites) = of_model.get(&self.scene.models[at].id) {
+                drop_from(&mut self.scene.models[at], sprites);
             }
+        }
+        let change = Change::of_models(of_model.into_keys());
+        if let Some(derived) = self.derived.plan(&self.scene, &change).carry_out(&self.watch.part()) {
+            self.derived = derived;
         }
     }
 
     /// Sprites that no cloud showed at first.
     fn come_up(&self) -> Vec<Key> {
         let mut new = FxHashSet::default();
-        for cloud in self.derived.clouds() {
-            let (model, at_first) = (self.models[&cloud.id], &self.at_first[&cloud.id]);
-            let others = cloud.sprites.iter().map(id_of).filter(|sprite| !at_first.contains(sprite));
-            new.extend(others.map(|sprite| (model, sprite)).filter(|key| !self.wanted.contains(key)));
+        for (&key, at_first) in &self.at_first {
+            let others = shown(&self.derived, key).filter(|sprite| !at_first.contains(sprite));
+            new.extend(others.map(|sprite| (key.0, sprite)).filter(|key| !self.wanted.contains(key)));
         }
         new.into_iter().collect()
     }
 
+    /// Undoes the last step.
     pub(super) fn take_back(&mut self) {
-        if let Some(change) = self.document.undo() {
-            self.derived.update(self.document.scene(), &change);
+        if let Some(before) = self.before.take() {
+            (self.scene, self.derived) = before;
         }
     }
 
     /// What leads from `scene` to this.
     pub(super) fn edits(&self, scene: &Scene) -> Vec<Edit> {
-        let thinned = self.document.scene();
-        let pairs = scene.models.iter().zip(&thinned.models);
+        let pairs = scene.models.iter().zip(&self.scene.models);
         let boxes = pairs.flat_map(|(old, new)| old.boxes.iter().zip(&new.boxes).map(|boxes| (old.id, boxes)));
         let changed = boxes.filter(|(_, (old, new))| old != new);
         changed.map(|(model, (_, new))| Edit::Box(model, ListEdit::Replace(new.clone()))).collect()
     }
+}
+
+/// What the clouds of a model under a seed show.
+fn shown(derived: &Derived, (model, seed): (ModelId, u64)) -> impl Iterator<Item = SpriteId> {
+    let populated = derived.populated(model, seed);
+    populated.into_iter().flat_map(|populated| &populated.sprites).map(|sprite| (sprite.box_id, sprite.index))
 }
 
 /// Within its model.

@@ -2,13 +2,29 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::formats::sprites_json::Shaded;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
-use cloudwright_core::scene::Formation;
+use cloudwright_core::frame::Frame;
+use cloudwright_core::posed_sprite::Still;
+use cloudwright_core::scene::{CullRadius, Formation};
+use cloudwright_core::sight::Sight;
+use cloudwright_core::sprites::{Atlas, PlacedCloud};
+use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::Light;
 use cloudwright_tests::small_scenes::heap;
 use glam::DVec3;
 use serde_json::Value;
+
+fn as_json(clouds: &[PlacedCloud], shaded: Option<Still<'_>>) -> Value {
+    let mut text = Vec::new();
+    sprites_json::write(&mut text, clouds, shaded, &Watch::default()).expect("memory takes all");
+    serde_json::from_slice(&text).expect("JSON")
+}
+
+fn as_table(clouds: &[PlacedCloud], shaded: Option<Still<'_>>) -> String {
+    let mut text = Vec::new();
+    sprites_csv::write(&mut text, clouds, shaded, &Watch::default()).expect("memory takes all");
+    String::from_utf8(text).expect("text")
+}
 
 fn point(value: &Value) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|i| value[i].as_f64().expect("a number")))
@@ -19,9 +35,8 @@ fn shaded_heap() -> (Value, DVec3) {
     let derived = Derived::new(&scene);
     let view = View::new(&scene.cameras[0], 1280, 720);
     let light = Light::at(&scene, 17.5);
-    let text = sprites_json::write(derived.clouds(), Some(Shaded { view: &view, light: &light, clock_s: 0.0 }))
-        .expect("finite");
-    (serde_json::from_str(&text).expect("JSON"), scene.cameras[0].position)
+    let still = Still { view: &view, light: &light, clock_s: 0.0 };
+    (as_json(derived.clouds(), Some(still)), scene.cameras[0].position)
 }
 
 /// The shading formulas once more, in f64 and from the exported figures alone.
@@ -85,8 +100,7 @@ fn corners_follow_from_the_exported_figures() {
 fn without_light_there_are_no_corners() {
     let scene = heap(5);
     let derived = Derived::new(&scene);
-    let file: Value =
-        serde_json::from_str(&sprites_json::write(derived.clouds(), None).expect("finite")).expect("JSON");
+    let file = as_json(derived.clouds(), None);
     assert!(file.get("light").is_none() && file["clouds"][0]["sprites"][0].get("corners").is_none());
 }
 
@@ -95,12 +109,12 @@ fn a_table_has_a_line_a_sprite() {
     let mut scene = heap(20);
     scene.clouds[0].name = "odd, \"name\"".into();
     let derived = Derived::new(&scene);
-    let text = sprites_csv::write(derived.clouds(), None);
+    let text = as_table(derived.clouds(), None);
     assert_eq!(text.lines().count(), 1 + derived.clouds()[0].sprites.len());
     assert!(text.lines().nth(1).expect("a sprite").contains("\"odd, \"\"name\"\"\""));
     let view = View::new(&scene.cameras[0], 100, 100);
     let light = Light::at(&scene, 12.0);
-    let shaded = sprites_csv::write(derived.clouds(), Some(Shaded { view: &view, light: &light, clock_s: 0.0 }));
+    let shaded = as_table(derived.clouds(), Some(Still { view: &view, light: &light, clock_s: 0.0 }));
     assert_eq!(shaded.lines().next().map(|head| head.split(',').count()), Some(13 + 16));
 }
 
@@ -113,12 +127,63 @@ fn corners_are_as_far_as_the_cloud_has_formed() {
     let derived = Derived::new(&scene);
     let (view, light) = (View::new(&scene.cameras[0], 100, 100), Light::at(&scene, 12.0));
     let largest_alpha = |clock_s: f64| {
-        let shaded = Some(Shaded { view: &view, light: &light, clock_s });
-        let text = sprites_csv::write(derived.clouds(), shaded);
+        let shaded = Some(Still { view: &view, light: &light, clock_s });
+        let text = as_table(derived.clouds(), shaded);
         let alphas = text.lines().skip(1).filter_map(|line| line.rsplit(',').next()?.parse::<f32>().ok());
         alphas.fold(0.0, f32::max)
     };
     assert_eq!(largest_alpha(10.0), 0.0);
     assert!(largest_alpha(14.0) > 0.0 && largest_alpha(14.0) < largest_alpha(20.0), "{}", largest_alpha(14.0));
     assert_eq!(largest_alpha(20.0), largest_alpha(1e6));
+}
+
+/// What leaves is what is drawn: pose and light of each sprite in a picture, and in the export for the same eye.
+#[test]
+fn a_picture_and_an_export_show_one_sprite() {
+    let scene = heap(200);
+    let derived = Derived::new(&scene);
+    // Into the heap, so that some of its sprites are near enough to have a pose of their own and to fade.
+    let mut camera = scene.cameras[0].clone();
+    camera.position = scene.clouds[0].position;
+    let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(&camera, [640, 360]));
+    let still = Still { view: &frame.view, light: &frame.now.light, clock_s: 0.0 };
+    let mut faded = 0;
+    for drawn in &frame.list.sprites {
+        let cloud = &derived.clouds()[drawn.cloud as usize];
+        let (drawn, left) = (frame.posed(drawn), still.posed(cloud, &cloud.sprites[drawn.sprite as usize]));
+        // Near the eye the two measure the way to it by different sums: some units in the last place of 100 m and of 1.
+        for (a, b) in drawn.corners(drawn.sprite.position).into_iter().zip(left.corners(left.sprite.position)) {
+            assert!(a.distance(b) < 1e-3, "{a} {b}");
+            let (drawn, left) = (drawn.light_at(b), left.light_at(b));
+            assert_eq!((drawn.ambient.rgb, drawn.directional), (left.ambient.rgb, left.directional));
+            assert!((drawn.ambient.a - left.ambient.a).abs() < 1e-5, "{drawn:?} {left:?}");
+        }
+        faded += usize::from(left.pose.fade < 1.0);
+    }
+    assert!(faded > 0 && faded < frame.list.sprites.len(), "{faded} of {}", frame.list.sprites.len());
+}
+
+/// A disk that is full after 100 kB, by when the writer has looked at few of the sprites: the rest is never in memory.
+#[test]
+fn text_leaves_as_it_is_made() {
+    let mut scene = heap(3000);
+    scene.models[0].cull_radius = CullRadius::Metres(0.0);
+    let derived = Derived::new(&scene);
+    let (view, light) = (View::new(&scene.cameras[0], 100, 100), Light::at(&scene, 12.0));
+    let (full, watch) = (&mut [0; 100_000][..], Watch::default());
+    let still = Still { view: &view, light: &light, clock_s: 0.0 };
+    let error = sprites_json::write(&mut { full }, derived.clouds(), Some(still), &watch).expect_err("too small");
+    assert_eq!(error.kind(), std::io::ErrorKind::WriteZero);
+    assert!(watch.share() < 0.5, "{} of 6000 sprites were made into text", watch.share());
+}
+
+/// A watch that is cancelled ends the text early; whoever cancels throws it away.
+#[test]
+fn an_export_stops_when_it_is_not_wanted_any_more() {
+    let derived = Derived::new(&heap(20));
+    let watch = Watch::default();
+    watch.cancel();
+    let mut text = Vec::new();
+    sprites_csv::write(&mut text, derived.clouds(), None, &watch).expect("memory takes all");
+    assert_eq!(text.iter().filter(|byte| **byte == b'\n').count(), 1, "no more than the line of heads");
 }

@@ -6,13 +6,14 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip};
 use cloudwright_core::raster::fast;
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{Cloud, CloudId, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::thin::{ThinError, Thinned, thin};
 use cloudwright_core::watch::Watch;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
 use glam::DVec3;
+use std::time::{Duration, Instant};
 
 fn thinned(scene: &Scene, tolerance: f64) -> Result<Thinned, ThinError> {
     thin(scene, Atlas::built_in(), tolerance, &Watch::default())
@@ -89,4 +90,28 @@ fn same_sprites_go_on_any_number_of_threads() {
         pool.install(|| thinned(&scene, 0.01))
     };
     assert_eq!(on(1), on(3));
+}
+
+/// A kilometre of clouds: no more are looked at from around than memory and patience allow, and Stop is heard at once.
+#[test]
+fn a_crowd_of_clouds_is_looked_at_by_some_and_can_be_stopped() {
+    let mut scene = heap(10);
+    let cloud = scene.clouds[0].clone();
+    for i in 0..2000 {
+        let id = CloudId::new(&mut scene.next_id);
+        let position = cloud.position + DVec3::new(f64::from(i % 50), 0.0, f64::from(i / 50)) * 500.0;
+        scene.clouds.push(Cloud { id, position, ..cloud.clone() });
+    }
+    let watch = Watch::default();
+    std::thread::scope(|scope| {
+        let thinning = scope.spawn(|| thin(&scene, Atlas::built_in(), 0.01, &watch));
+        while watch.share() == 0.0 {
+            std::thread::sleep(Duration::from_millis(10));
+        }
+        let begun = Instant::now();
+        watch.cancel();
+        assert_eq!(thinning.join().expect("no panic"), Err(ThinError::Cancelled));
+        // A view takes milliseconds.
+        assert!(begun.elapsed() < Duration::from_secs(5), "{:?}", begun.elapsed());
+    });
 }

@@ -1,5 +1,6 @@
 //! The frames of a flight: which there are, what their files are called, and whether one is there whole.
 
+use crate::cli::counted;
 use crate::cli::failure::Failure;
 use crate::storage::{self, Folder, StorageError};
 use cloudwright_core::scene::{CameraPath, Scene};
@@ -79,7 +80,12 @@ pub(super) fn chosen(asked: Option<Range<u32>>, duration_s: f64, fps: u32) -> Re
     let count = last as u32 + 1;
     match asked {
         Some(range) if range.end > count => Err(Failure::argument(
-            format!("--frames {}..{}: the flight has {count} frames at --fps {fps}", range.start, range.end),
+            format!(
+                "--frames {}..{}: the flight has {} at --fps {fps}",
+                range.start,
+                range.end,
+                counted(count as usize, "frame", "frames")
+            ),
             format!("stay within 0..{count}"),
         )),
         Some(range) => Ok(range),

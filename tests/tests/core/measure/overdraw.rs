@@ -62,6 +62,13 @@ fn measured(scene: &Scene, camera: &Camera) -> [f64; 3] {
     [got.fragments, prepare(&frame).iter().map(count).sum::<usize>() as f64, bound.sum()]
 }
 
+/// As a status bar shows it: not "-0.0".
+#[test]
+fn nothing_in_view_is_nothing() {
+    let [fragments, counted, _] = measured(&Scene::default(), &Scene::default().cameras[0]);
+    assert_eq!((format!("{fragments:.1}"), counted), ("0.0".into(), 0.0));
+}
+
 #[test]
 fn area_is_count() {
     let scene = heap(60);
