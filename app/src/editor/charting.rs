@@ -51,7 +51,7 @@ impl Editor {
     /// That of the view; the beginning of the clock where nothing forms, since it shows nowhere there.
     fn moment(&self) -> Moment {
         let forms = self.session.scene().clouds.iter().any(|cloud| cloud.formation.is_some());
-        Moment { clock_s: if forms { self.clock.time_s() } else { 0.0 }, time_h: self.time_play.hour() }
+        Moment { clock_s: if forms { self.clock.time_s() } else { 0.0 }, time_h: self.time_play.time_h() }
     }
 
     fn measure(&mut self, context: &egui::Context) {

@@ -47,8 +47,8 @@ pub(crate) fn status(ui: &mut Ui, reading: &Reading<'_>, drawn: &Drawn, is_savin
 
 /// The hour that is shown, marked if it is not the scene's.
 fn hour(ui: &mut Ui, reading: &Reading<'_>) {
-    let shown = clock(reading.hour());
-    if reading.time_play.hour().is_none() {
+    let shown = clock(reading.time_h());
+    if reading.time_play.time_h().is_none() {
         ui.label(shown);
         return;
     }

@@ -39,7 +39,7 @@ pub(crate) struct Reading<'a> {
 
 impl Reading<'_> {
     /// The hour that is shown: the one that is tried out, or the scene's.
-    pub(crate) fn hour(&self) -> f64 {
-        self.time_play.hour().unwrap_or(self.session.scene().time_of_day_h)
+    pub(crate) fn time_h(&self) -> f64 {
+        self.time_play.time_h().unwrap_or(self.session.scene().time_of_day_h)
     }
 }

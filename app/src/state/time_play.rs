@@ -31,7 +31,7 @@ impl Default for TimePlay {
 
 impl TimePlay {
     /// The hour that is tried out, in [0, 24); none if the scene's is shown.
-    pub(crate) fn hour(&self) -> Option<f64> {
+    pub(crate) fn time_h(&self) -> Option<f64> {
         self.tried.map(|tried| tried.hour)
     }
 
@@ -81,13 +81,13 @@ mod tests {
         time.set_speed(60.0);
         time.run_or_stop(23.95);
         time.advance(0.1, 23.95);
-        assert!((time.hour().expect("it runs") - 0.05).abs() < 1e-9);
+        assert!((time.time_h().expect("it runs") - 0.05).abs() < 1e-9);
         time.advance(3600.0, 23.95);
-        assert!((time.hour().expect("it runs") - 0.3).abs() < 1e-9, "a stall counts as one step");
+        assert!((time.time_h().expect("it runs") - 0.3).abs() < 1e-9, "a stall counts as one step");
         time.set_speed(f64::NAN);
         time.advance(f64::NAN, 23.95);
         assert_eq!(time.hours_a_minute(), 60.0);
-        assert!(time.leave().is_some() && time.hour().is_none());
+        assert!(time.leave().is_some() && time.time_h().is_none());
         time.advance(0.1, 23.95);
         assert!(!time.runs());
     }
@@ -99,11 +99,11 @@ mod tests {
         time.advance(0.25, 12.0);
         time.run_or_stop(12.0);
         time.advance(0.25, 12.0);
-        assert_eq!((time.hour(), time.runs()), (Some(12.1), false));
+        assert_eq!((time.time_h(), time.runs()), (Some(12.1), false));
         time.run_or_stop(12.0);
         time.advance(0.25, 12.0);
-        assert_eq!((time.hour(), time.runs()), (Some(12.2), true));
+        assert_eq!((time.time_h(), time.runs()), (Some(12.2), true));
         time.advance(0.25, 9.0);
-        assert_eq!(time.hour(), None);
+        assert_eq!(time.time_h(), None);
     }
 }

@@ -60,7 +60,7 @@ impl Memory {
         };
         Sight {
             camera: place.camera.clone(),
-            moment: Moment { clock_s: reading.clock.time_s(), time_h: reading.time_play.hour() },
+            moment: Moment { clock_s: reading.clock.time_s(), time_h: reading.time_play.time_h() },
             size: place.size,
             hidden: reading.view.hidden_in(session.scene()),
             meshes: session.beside().meshes().clone(),

@@ -89,7 +89,7 @@ impl Editor {
             Command::OpenRecent => !self.desk.settings().recent().is_empty(),
             Command::Revert => self.session.path().is_some() && document.is_modified(),
             Command::Undo => document.undo_name().is_some() || document.is_open(),
-            Command::KeepHour | Command::SceneHour => self.time_play.hour().is_some(),
+            Command::KeepHour | Command::SceneHour => self.time_play.time_h().is_some(),
             Command::Redo => document.redo_name().is_some(),
             Command::AddBox | Command::PlaceModel | Command::PlaceMany | Command::Reroll | Command::AutoGroup => {
                 selection.model(scene).is_some()

@@ -39,7 +39,7 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
         light(ui, reading, &path, actions);
         heading(ui, "Sun");
         ui.horizontal_top(|ui| {
-            if let Some(sun) = dome::show(ui, scene.sun, &scene.place, reading.hour(), &path) {
+            if let Some(sun) = dome::show(ui, scene.sun, &scene.place, reading.time_h(), &path) {
                 actions.push(Action::change("Sun", Edit::Sun(sun), ui.input(|input| input.pointer.any_down())));
             }
             ui.vertical(|ui| sun(ui, reading, actions));
@@ -58,7 +58,7 @@ fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         if button.on_hover_text(Command::PlayTime.row().tooltip(ui.ctx())).clicked() {
             actions.push(Action::Command(Command::PlayTime));
         }
-        let mut hour = reading.hour();
+        let mut hour = reading.time_h();
         let (fields, gaps) = (ui.spacing().interact_size.x + 2.0 * ui.spacing().button_padding.x + SPEED_WIDTH, 3.0);
         let room = ui.available_width() - fields - gaps * ui.spacing().item_spacing.x;
         ui.spacing_mut().slider_width = room.max(60.0);
@@ -71,7 +71,7 @@ fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
             actions.push(Action::View(ViewChange::TimeSpeed(speed)));
         }
     });
-    if reading.time_play.hour().is_some() {
+    if reading.time_play.time_h().is_some() {
         tried_out(ui, reading, actions);
     }
 }
@@ -110,7 +110,7 @@ fn time_slider(ui: &mut Ui, hour: &mut f64) -> bool {
 fn light(ui: &mut Ui, reading: &Reading<'_>, path: &SunPath, actions: &mut Vec<Action>) {
     heading(ui, "Light over the day");
     let sky = &reading.session.scene().sky;
-    let hour = reading.hour();
+    let hour = reading.time_h();
     let directional = with_alpha(&sky.directional);
     let ambient = Strip {
         name: "Ambient",
