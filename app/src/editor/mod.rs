@@ -36,6 +36,7 @@ use crate::storage::Folders;
 use crate::theme;
 use crate::thumbnail::Thumbnails;
 use crate::viewport::Viewport;
+use crate::visible;
 use cloudwright_core::scene::{Camera, CameraId, ColorLevels};
 use desk::Desk;
 use dialogs::Dialogs;
@@ -211,7 +212,7 @@ impl Editor {
 
     fn show_title(&mut self, context: &egui::Context) {
         let mark = if self.session.document().is_modified() { "• " } else { "" };
-        let title = format!("{mark}{} — Cloudwright", self.display_name());
+        let title = visible::one_line(&format!("{mark}{} — Cloudwright", self.display_name()));
         if title != self.title {
             context.send_viewport_cmd(egui::ViewportCommand::Title(title.clone()));
             self.title = title;

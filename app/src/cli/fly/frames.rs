@@ -143,7 +143,7 @@ mod tests {
     #[test]
     fn each_path_has_a_name_of_its_own() {
         let names = ["through", "a/b %d:c", "..", "", "a_b__d_c", "A_B__D_C", "a_b__d_c-2", "path", "through"];
-        let path = |(id, name): (u64, &&str)| CameraPath::new(PathId(id), *name, Vec::new());
+        let path = |(id, &name): (u64, &&str)| CameraPath::new(PathId(id), name, Vec::new());
         let paths = (1..).zip(&names).map(path).collect();
         let scene = Scene { paths, ..Scene::default() };
         let found: Vec<String> = scene.paths.iter().map(|path| file_name_of(path, &scene)).collect();
