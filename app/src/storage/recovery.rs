@@ -81,7 +81,7 @@ impl Rescue {
         if rescue.format == FORMAT && rescue.version == VERSION {
             Ok(rescue)
         } else {
-            Err(format!("{} {} is not known here", rescue.format, rescue.version))
+            Err(format!("another version of Cloudwright kept it ({} {})", rescue.format, rescue.version))
         }
     }
 }
