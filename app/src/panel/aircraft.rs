@@ -1,16 +1,14 @@
 //! Aircraft on their paths.
 
 use crate::state::{Action, Reading};
-use crate::widget::{Fields, name_it};
+use crate::widget::name_it;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::scene::Aircraft;
+use cloudwright_core::scene::{Aircraft, AircraftId};
 use egui::Ui;
 
-/// `aircraft` has at least one, the one whose values are shown.
-pub(super) fn fields_of(ui: &mut Ui, aircraft: &[&Aircraft], reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    Fields::of(aircraft, reading)
-        .show(ui, "Change aircraft", actions, Fields::all, |_, aircraft| Edit::Aircraft(ListEdit::Replace(aircraft)));
-    let Some(aircraft) = aircraft.first() else { return };
+/// A row for what the aircraft looks like.
+pub(super) fn model(ui: &mut Ui, id: AircraftId, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let Some(aircraft) = reading.session.scene().aircraft.with_id(id) else { return };
     ui.horizontal(|ui| {
         ui.label("Model");
         model_menu(ui, aircraft, actions);

@@ -1,13 +1,13 @@
 //! The values of what is selected. Several things of the primary's kind are changed together.
 
 use super::shading_groups::members;
-use super::{aircraft, camera, cloud, cloud_box, model, path};
+use super::{aircraft, camera, cloud, cloud_box, model};
 use crate::command::Command;
 use crate::state::{Action, Choose, Item, Reading, box_of, group_of};
 use crate::widget::Fields;
-use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::GROUP_NAME;
-use cloudwright_core::scene::{ModelId, ShadingGroup};
+use cloudwright_core::document::{Edit, ForEditable, ListEdit, for_each_editable};
+use cloudwright_core::property::{Described, GROUP_NAME};
+use cloudwright_core::scene::{Listed, ModelId, ShadingGroup};
 use egui::{ScrollArea, Ui};
 
 /// The panel.
@@ -53,26 +53,41 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
             title(ui, "Cloud", clouds.len());
             cloud::fields_of(ui, &clouds, reading, actions);
         }
-        Item::Camera(_) => {
-            let cameras: Vec<_> = chosen()
-                .filter_map(|item| if let Item::Camera(id) = item { scene.cameras.with_id(*id) } else { None })
-                .collect();
-            title(ui, "Camera", cameras.len());
-            camera::fields_of(ui, &cameras, reading, actions);
+        other => {
+            for_each_editable(&mut Plain { ui, primary: other, reading, actions });
+            match other {
+                Item::Camera(id) => camera::views(ui, id, actions),
+                Item::Aircraft(id) => aircraft::model(ui, id, reading, actions),
+                _ => {}
+            }
         }
-        Item::Path(_) => {
-            let paths: Vec<_> =
-                chosen().filter_map(|item| if let Item::Path(id) = item { scene.path(*id) } else { None }).collect();
-            title(ui, "Path", paths.len());
-            path::fields_of(ui, &paths, reading, actions);
+    }
+}
+
+/// All values of things of the primary's kind, one row after the other.
+struct Plain<'a, 'r> {
+    ui: &'a mut Ui,
+    primary: Item,
+    reading: &'a Reading<'r>,
+    actions: &'a mut Vec<Action>,
+}
+
+impl ForEditable for Plain<'_, '_> {
+    fn kind<T>(&mut self)
+    where
+        T: Listed + Described,
+        Edit: From<ListEdit<T>>,
+    {
+        if T::id_of(self.primary).is_none() {
+            return;
         }
-        Item::Aircraft(_) => {
-            let all: Vec<_> = chosen()
-                .filter_map(|item| if let Item::Aircraft(id) = item { scene.aircraft.with_id(*id) } else { None })
-                .collect();
-            title(ui, "Aircraft", all.len());
-            aircraft::fields_of(ui, &all, reading, actions);
-        }
+        let list = T::list(self.reading.session.scene());
+        let mut chosen: Vec<&T> = self.reading.view.selection.all::<T>().filter_map(|id| list.with_id(id)).collect();
+        // The primary first.
+        chosen.reverse();
+        title(self.ui, T::TITLE, chosen.len());
+        let edit = |_: usize, value| Edit::from(ListEdit::Replace(value));
+        Fields::of(&chosen, self.reading).show(self.ui, T::CHANGE, self.actions, Fields::all, edit);
     }
 }
 

@@ -15,7 +15,6 @@ mod inspector;
 mod model;
 mod outline;
 mod palette;
-mod path;
 mod place_many;
 mod problems;
 mod progress;

@@ -11,6 +11,7 @@ mod transaction;
 
 pub use edit::{Edit, ListEdit};
 pub use history::History;
+pub use set::{ForEditable, for_each_editable};
 
 pub use crate::change::Change;
 

@@ -2,7 +2,8 @@
 
 use super::{Edit, EditError, ListEdit};
 use crate::property::{Address, Described, Owner, Refusal, Value};
-use crate::scene::{Scene, Thing, kinds};
+// With the types that the rows of kinds name.
+use crate::scene::*;
 
 impl Edit {
     /// Gives the value at `address` another value.
@@ -35,6 +36,15 @@ impl Edit {
             Owner::Key(id, i) => Self::Path(ListEdit::Replace(set.part(scene.path(id), |path| path.keys.get_mut(i))?)),
         })
     }
+}
+
+/// Something to be done for each kind of thing, whose values are in the table and can be set.
+pub trait ForEditable {
+    /// For the kind `T`.
+    fn kind<T>(&mut self)
+    where
+        T: Listed + Described,
+        Edit: From<ListEdit<T>>;
 }
 
 struct Set<'a> {
@@ -84,6 +94,17 @@ macro_rules! lists {
                     }
                 })
             }
+        }
+
+        $(impl From<ListEdit<$Value>> for Edit {
+            fn from(edit: ListEdit<$Value>) -> Self {
+                Self::$Kind(edit)
+            }
+        })*
+
+        /// Does it for each kind, in the order of the rows.
+        pub fn for_each_editable(action: &mut impl ForEditable) {
+            $(action.kind::<$Value>();)*
         }
     };
 }

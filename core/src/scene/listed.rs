@@ -11,6 +11,8 @@ pub trait Listed: HasId + InScene + 'static {
     const TITLE: &'static str;
     /// The list's name in files: "models".
     const LIST: &'static str;
+    /// What the history calls a change of its values: "Change model".
+    const CHANGE: &'static str;
 
     /// All of them.
     fn list(scene: &Scene) -> &List<Self>;
@@ -34,6 +36,7 @@ macro_rules! lists {
             const WORD: &'static str = $word;
             const TITLE: &'static str = $title;
             const LIST: &'static str = stringify!($list);
+            const CHANGE: &'static str = concat!("Change ", $word);
 
             fn list(scene: &Scene) -> &List<Self> {
                 &scene.$list
