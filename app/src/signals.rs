@@ -10,17 +10,28 @@ pub(crate) fn fail_at_the_size_limit() {
     let _ = signal_hook::flag::register(signal_hook::consts::SIGXFSZ, Arc::default());
 }
 
-/// Sets `flag` when the program is told to end (SIGINT by Ctrl-C, SIGTERM), so that what it has begun is cleared away.
-/// Told a second time, it ends at once.
+/// Sets `flag` when the program is told to end (SIGTERM, SIGINT, SIGHUP), so that what it has begun is cleared away. Told
+/// a second time, it ends at once. What it was started to ignore it still ignores.
 pub(crate) fn set_when_told_to_end(flag: &Arc<AtomicBool>) {
     #[cfg(unix)]
-    for signal in [signal_hook::consts::SIGINT, signal_hook::consts::SIGTERM] {
-        // In this order: the first time, the flag is set too late to end the program.
-        let _ = signal_hook::flag::register_conditional_default(signal, Arc::clone(flag));
-        let _ = signal_hook::flag::register(signal, Arc::clone(flag));
-    }
+    let _ = hear(flag);
     #[cfg(not(unix))]
     let _ = flag;
+}
+
+/// Gives the signals by which `flag` is set from now on, and which end the program if it is set already.
+#[cfg(unix)]
+fn hear(flag: &Arc<AtomicBool>) -> std::io::Result<Vec<i32>> {
+    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+    let ignored = crate::storage::ignored_signals();
+    let heard: Vec<i32> =
+        [SIGTERM, SIGINT, SIGHUP].into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0).collect();
+    for &signal in &heard {
+        // In this order: the first time, the flag is set too late to end the program.
+        signal_hook::flag::register_conditional_default(signal, Arc::clone(flag))?;
+        signal_hook::flag::register(signal, Arc::clone(flag))?;
+    }
+    Ok(heard)
 }
 
 /// Has `last` done, on a thread of its own, when the program is told to end (SIGTERM, SIGINT, SIGHUP); then it ends as it
@@ -30,21 +41,10 @@ pub(crate) fn set_when_told_to_end(flag: &Arc<AtomicBool>) {
 /// If the system gives no thread or no pipe.
 #[cfg(unix)]
 pub(crate) fn before_the_end(last: impl FnOnce() + Send + 'static) -> std::io::Result<()> {
-    use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
-    use signal_hook::{flag, low_level};
-    use std::sync::Arc;
-    use std::sync::atomic::AtomicBool;
+    use signal_hook::low_level;
 
-    let ignored = crate::storage::ignored_signals();
-    let heard: Vec<i32> =
-        [SIGTERM, SIGINT, SIGHUP].into_iter().filter(|signal| ignored >> (signal - 1) & 1 == 0).collect();
-    let told = Arc::new(AtomicBool::new(false));
-    for &signal in &heard {
-        // In this order: the first time, the flag is set too late to end the program.
-        flag::register_conditional_default(signal, Arc::clone(&told))?;
-        flag::register(signal, Arc::clone(&told))?;
-    }
+    let heard = hear(&Arc::default())?;
     let mut signals = Signals::new(&heard)?;
     let wait = move || {
         if let Some(signal) = signals.forever().next() {

@@ -90,12 +90,15 @@ impl Editor {
     }
 
     fn thin_out(&mut self, thinned: Thinned) {
-        let Thinned { edits, before, after, error, worst_view, .. } = thinned;
+        let Thinned { edits, before, after, error, worst_view, models_left, .. } = thinned;
         let done = self.session.edit(Command::ThinOut.row().label(), edits);
         if done.is_ok() {
             self.tell(format!(
                 "{after} of {before} sprites are left; {worst_view} differs most, by a mean FLIP of {error:.4}"
             ));
+            if models_left > 0 {
+                self.tell(format!("Models with the fewest sprites were left as they were: {models_left} of them"));
+            }
         }
         self.report(done);
     }
