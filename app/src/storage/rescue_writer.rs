@@ -83,7 +83,7 @@ impl RescueWriter {
         let (sender, news) = channel();
         let its_own = Arc::clone(&shared);
         let thread = thread::Builder::new().name("rescue".into()).spawn(move || {
-            Thread { shared: its_own, folders, slot: None, is_failing: false, news: sender, wake }.serve()
+            Thread { shared: its_own, folders, slot: None, is_failing: false, news: sender, wake }.serve();
         })?;
         Ok(Self { shared, news, thread: Some(thread) })
     }

@@ -109,7 +109,7 @@ mod tests {
         let scene = applied(&scene, &linked);
         let arrangement = boxes(&scene, scene.clouds[1].id, &[scene.models[1].boxes[0].id]).expect("a part");
         let after = applied(&scene, &arrangement);
-        assert_eq!((&after.models.as_slice()[..2], &after.clouds[2]), (&scene.models.as_slice()[..], &scene.clouds[2]));
+        assert_eq!((&after.models.as_slice()[..2], &after.clouds[2]), (scene.models.as_slice(), &scene.clouds[2]));
         let count = |i| placed(&after, i).sprites.len();
         assert_eq!(count(1) + count(3), placed(&scene, 1).sprites.len());
     }

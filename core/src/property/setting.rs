@@ -183,7 +183,7 @@ impl Numbers for [f64; 2] {
         *other = if part == 0 { other.max(number) } else { other.min(number) };
     }
     fn are_within(&self, range: [f64; 2]) -> bool {
-        self.iter().all(|number| is_within((*number).into(), range))
+        self.iter().all(|number| is_within(*number, range))
     }
 }
 
@@ -195,7 +195,7 @@ impl Numbers for DVec3 {
         self[part] = number;
     }
     fn are_within(&self, range: [f64; 2]) -> bool {
-        self.to_array().into_iter().all(|number| is_within(number.into(), range))
+        self.to_array().into_iter().all(|number| is_within(number, range))
     }
 }
 

@@ -161,7 +161,7 @@ pub(crate) fn place_watched(
                 (keys.len() - 1) as u32
             });
             let mut sprite = Sprite {
-                position: space.from_model(candidate.position).as_vec3(),
+                position: space.in_world(candidate.position).as_vec3(),
                 width: (candidate.width * cloud.scale) as f32,
                 height: (candidate.height * cloud.scale) as f32,
                 rotation: candidate.rotation as f32,
@@ -263,7 +263,7 @@ impl Space {
         Self { turn, scale, middle, origin: cloud.position + turn * (middle * scale) }
     }
 
-    fn from_model(&self, point: DVec3) -> DVec3 {
+    fn in_world(&self, point: DVec3) -> DVec3 {
         self.turn * ((point - self.middle) * self.scale)
     }
 }
@@ -323,7 +323,7 @@ fn groups(
             let center = match light.center {
                 GroupCenter::Mean => mean,
                 GroupCenter::Pulled(share) => mean.lerp(cloud_center, share as f32),
-                GroupCenter::At(point) => space.from_model(point).as_vec3(),
+                GroupCenter::At(point) => space.in_world(point).as_vec3(),
             };
             Group { key, center, c: [light.c_min, light.c_med, light.c_max].map(|c| c as f32), sprite_count }
         })

@@ -134,13 +134,14 @@ fn an_eye_remembers_what_was_not_reshaped() {
 fn a_reshaped_cloud_is_seen_for_the_first_time() {
     let scene = heaps();
     let before = Derived::new(&scene);
-    let mut other = scene.clone();
+    let mut other = scene;
     other.models[1].boxes[0].sprite_count = 30;
     let after = Derived::new(&other);
     let mut history = flown(&before, SHIPPED);
     let mut anew = ViewHistory::default();
     let end = View::new(&way(140), 64, 36);
-    (history.step(SHIPPED, &after, 0.0, &end), anew.step(SHIPPED, &after, 0.0, &end));
+    history.step(SHIPPED, &after, 0.0, &end);
+    anew.step(SHIPPED, &after, 0.0, &end);
     let id = before.clouds()[FLOWN].id;
     assert!(poses(&after, &history, id) == poses(&after, &anew, id));
 }

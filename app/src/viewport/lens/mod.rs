@@ -115,7 +115,7 @@ impl LensSource {
         }
         match &self.worker {
             Some(worker) => {
-                worker.ask(Request { lens, scene, derived, beside, sight, truth, number, coarseness, watch })
+                worker.ask(Request { lens, scene, derived, beside, sight, truth, number, coarseness, watch });
             }
             // Nothing will come.
             None => self.drop_work(),
