@@ -24,4 +24,4 @@ pub mod visible;
 mod widget;
 pub mod worker;
 
-pub use widget::{category_gallery, preset_gallery};
+pub use widget::{category_choice, preset_choice};

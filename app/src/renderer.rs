@@ -39,7 +39,7 @@ pub enum RenderError {
 /// Draws frames by their rules: on the CPU, or on its adapter those that ask for one.
 #[derive(Debug, Default)]
 pub struct Renderer {
-    adapter: Option<Box<(Gpu, cloudwright_render::Renderer)>>,
+    adapter: Option<Box<(Gpu, cloudwright_render::GpuRenderer)>>,
 }
 
 impl Renderer {
@@ -62,7 +62,7 @@ impl Renderer {
     /// If there is no such adapter.
     pub fn with_adapter(choice: &AdapterChoice) -> Result<Self, RenderError> {
         let gpu = Gpu::headless(choice)?;
-        let renderer = cloudwright_render::Renderer::new(&gpu)?;
+        let renderer = cloudwright_render::GpuRenderer::new(&gpu)?;
         Ok(Self { adapter: Some(Box::new((gpu, renderer))) })
     }
 
@@ -121,7 +121,7 @@ impl Renderer {
         Ok((pass.clock == PassClock::Timestamps).then_some(pass.duration))
     }
 
-    fn adapter(&mut self) -> Result<(&Gpu, &mut cloudwright_render::Renderer), RenderError> {
+    fn adapter(&mut self) -> Result<(&Gpu, &mut cloudwright_render::GpuRenderer), RenderError> {
         let none = || {
             cloudwright_render::RenderError::Refused("this is drawn on a graphics adapter, and there is none".into())
         };

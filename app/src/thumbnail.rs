@@ -1,8 +1,8 @@
 //! Small pictures of ready-made clouds, drawn by the CPU off the frame.
 //!
-//! A gallery asks for the picture of each [`Subject`] that it shows. The first time, that queues it for a thread of its
+//! A choice of pictures asks for that of each [`Subject`] that it shows. The first time, that queues it for a thread of its
 //! own, which draws one after the other and wakes the window after each; from then on the texture is there for the
-//! session. Nothing is drawn, and no thread runs, before the first gallery is shown.
+//! session. Nothing is drawn, and no thread runs, before the first choice is shown.
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw;
@@ -62,7 +62,7 @@ impl Thumbnails {
         if let Some(texture) = self.textures.get(&subject) {
             return texture.as_ref().map(TextureHandle::id);
         }
-        // Without a thread (the system gives none) a gallery shows names alone.
+        // Without a thread (the system gives none) a choice shows names alone.
         if self.artist.is_none() {
             self.artist = Artist::start(&self.context).ok();
         }

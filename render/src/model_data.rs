@@ -8,7 +8,7 @@ use cloudwright_core::version::Version;
 /// One model's place, as models.wgsl reads it.
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(C)]
-pub(crate) struct Placed {
+pub(crate) struct ModelInstance {
     from_eye: [f32; 3],
     scale: f32,
     /// A unit quaternion: x, y, z, w.
@@ -18,7 +18,7 @@ pub(crate) struct Placed {
 /// All that the models pass reads.
 #[derive(Debug)]
 pub(crate) struct ModelData {
-    /// A [`Placed`] for each model.
+    /// A [`ModelInstance`] for each model.
     pub(crate) placed: VertexBuffer,
     meshes: Vec<(Version, VertexBuffer)>,
     /// Each model's mesh, an index of the above.
@@ -47,7 +47,7 @@ impl ModelData {
                 self.meshes.push((version, mesh));
             }
             self.mesh_of.push(known.unwrap_or(self.meshes.len() - 1));
-            placed.push(Placed {
+            placed.push(ModelInstance {
                 from_eye: model.from_eye.to_array(),
                 scale: model.scale,
                 turn: model.turn.to_array(),

@@ -14,13 +14,13 @@ use std::time::Instant;
 
 /// Draws frames with one device.
 #[derive(Debug)]
-pub struct Renderer {
+pub struct GpuRenderer {
     passes: Passes,
     targets: Option<Targets>,
     timer: Option<PassTimer>,
 }
 
-impl Renderer {
+impl GpuRenderer {
     /// Compiles the shaders for `gpu`.
     ///
     /// # Errors
@@ -44,7 +44,7 @@ impl Renderer {
     /// The frame as a display shows it, in memory. Waits for the GPU.
     ///
     /// # Errors
-    /// As [`Renderer::draw`]; also if the GPU gives no answer.
+    /// As [`GpuRenderer::draw`]; also if the GPU gives no answer.
     pub fn picture(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<Picture, RenderError> {
         let targets = self.submit_frame(gpu, frame)?;
         let [width, height] = targets.size;
@@ -55,7 +55,7 @@ impl Renderer {
     /// The frame in linear light, before exposure, in memory: 16-bit floats' precision. Waits for the GPU.
     ///
     /// # Errors
-    /// As [`Renderer::picture`].
+    /// As [`GpuRenderer::picture`].
     pub fn linear_picture(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<LinearPicture, RenderError> {
         let targets = self.submit_frame(gpu, frame)?;
         let [width, height] = targets.size;
@@ -67,7 +67,7 @@ impl Renderer {
     /// The frame's clouds alone over nothing, in memory. Waits for the GPU.
     ///
     /// # Errors
-    /// As [`Renderer::picture`].
+    /// As [`GpuRenderer::picture`].
     pub fn clouds(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<Layer, RenderError> {
         let (passes, targets) = self.update(gpu, frame)?;
         submit(gpu, |encoder| passes.record_clouds(encoder, targets))?;
@@ -81,7 +81,7 @@ impl Renderer {
     /// and their median, after one or two to warm up.
     ///
     /// # Errors
-    /// As [`Renderer::picture`].
+    /// As [`GpuRenderer::picture`].
     pub fn sprites_pass_time(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<PassTime, RenderError> {
         self.update(gpu, frame)?;
         submit(gpu, |_| ())?;

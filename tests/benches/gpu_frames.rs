@@ -11,7 +11,7 @@ use cloudwright_core::raster::fast;
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_render::{Gpu, Renderer};
+use cloudwright_render::{Gpu, GpuRenderer};
 use cloudwright_tests::authoring;
 use cloudwright_tests::gpu::{Backend, field};
 use glam::DVec3;
@@ -57,7 +57,7 @@ fn measure(name: &str, scene: &Scene, camera: &Camera, backends: &[Backend]) {
     }
 }
 
-fn measure_on(name: &str, gpu: &Gpu, renderer: &mut Renderer, frame: &Frame<'_>) {
+fn measure_on(name: &str, gpu: &Gpu, renderer: &mut GpuRenderer, frame: &Frame<'_>) {
     let [mut pass, mut whole, mut cpu] = [Vec::new(), Vec::new(), Vec::new()];
     // In turn, so that a slow minute of the machine hits all alike; the first round warms up.
     for round in 0..=FRAMES {

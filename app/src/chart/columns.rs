@@ -1,6 +1,6 @@
 //! Every figure of a method once: tables and cards read it here.
 
-use super::report::{Figure, Method, Stability};
+use super::report::{Figure, MethodFigures, Stability};
 
 /// One figure of a method.
 pub struct Column {
@@ -13,7 +13,7 @@ pub struct Column {
     /// "ms", or nothing.
     pub unit: &'static str,
     /// Its value.
-    pub of: fn(&Method) -> Figure,
+    pub of: fn(&MethodFigures) -> Figure,
 }
 
 /// In the order of the report.
@@ -42,17 +42,17 @@ const fn column(
     name: &'static str,
     in_card: Option<&'static str>,
     unit: &'static str,
-    of: fn(&Method) -> Figure,
+    of: fn(&MethodFigures) -> Figure,
 ) -> Column {
     Column { group, name, in_card, unit, of }
 }
 
-fn stability(method: &Method) -> Option<&Stability> {
+fn stability(method: &MethodFigures) -> Option<&Stability> {
     method.stability.as_ref()
 }
 
 /// Those that at least one of `methods` has a figure for.
-pub fn filled(methods: &[Method]) -> Vec<&'static Column> {
+pub fn filled(methods: &[MethodFigures]) -> Vec<&'static Column> {
     let filled = |column: &&Column| methods.iter().any(|method| (column.of)(method).is_some_and(f64::is_finite));
     COLUMNS.iter().filter(filled).collect()
 }

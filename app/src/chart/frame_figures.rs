@@ -5,7 +5,7 @@
 //! broken off goes on at the place where it stopped.
 
 use super::charted::Drawing;
-use super::report::{Error, Figure, FrameFigures, Method, Stability};
+use super::report::{Error, Figure, FrameFigures, MethodFigures, Stability};
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip, linear_error, opacity_error};
 
@@ -37,7 +37,7 @@ impl FrameFigures {
     }
 }
 
-impl Method {
+impl MethodFigures {
     /// Sets `error` and `stability` to what the frames come to.
     pub fn sum_up(&mut self) {
         let all = |of: fn(&FrameFigures) -> Figure| self.frames.iter().filter_map(of).collect::<Vec<f64>>();

@@ -3,7 +3,7 @@
 //! A method is on the front if none is at most as dear and at most as wrong, and better in one of the two. Methods with
 //! the same two figures stay on it together; one without figures is never on it. The idea is Vilfredo Pareto's (1896).
 
-use super::report::{Method, Report};
+use super::report::{MethodFigures, Report};
 
 /// Costs within this factor are one cost: medians of wall times are no steadier.
 const SAME_COST: f64 = 1.1;
@@ -33,9 +33,9 @@ pub fn front(points: &[Option<[f64; 2]>]) -> Vec<bool> {
 }
 
 impl Report {
-    /// Sets [`Method::on_front`] by frame time and mean FLIP.
+    /// Sets [`MethodFigures::on_front`] by frame time and mean FLIP.
     pub fn mark_front(&mut self) {
-        let points: Vec<_> = self.methods.iter().map(Method::choice).collect();
+        let points: Vec<_> = self.methods.iter().map(MethodFigures::choice).collect();
         for (method, on_front) in self.methods.iter_mut().zip(front(&points)) {
             method.on_front = on_front;
         }
@@ -58,7 +58,7 @@ pub fn outline(mut best: Vec<[f64; 2]>, top: f64, right: f64) -> Vec<[f64; 2]> {
 }
 
 /// The cheapest method that one can choose whose mean FLIP is at most `tolerance`; the truer of two that cost the same.
-pub fn cheapest_within(methods: &[Method], tolerance: f64) -> Option<&Method> {
+pub fn cheapest_within(methods: &[MethodFigures], tolerance: f64) -> Option<&MethodFigures> {
     let within = methods.iter().filter_map(|method| {
         let [cost, error] = method.choice()?;
         (error <= tolerance).then_some((method, [cost, error]))

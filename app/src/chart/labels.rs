@@ -26,7 +26,7 @@ pub(crate) struct Wanted {
 
 /// Where a name stands.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(crate) struct Placed {
+pub(crate) struct PlacedLabel {
     pub rect: Rect,
     /// The leading line's end at the name, if the name is away from its mark.
     pub leader: Option<[f64; 2]>,
@@ -88,11 +88,11 @@ impl Rect {
 }
 
 /// Places `wanted` within `bounds`, in that order, off all marks, `taken` places and, if it can be, `lines`.
-pub(crate) fn place(wanted: &[Wanted], bounds: Rect, taken: &[Rect], lines: &[[[f64; 2]; 2]]) -> Vec<Placed> {
+pub(crate) fn place(wanted: &[Wanted], bounds: Rect, taken: &[Rect], lines: &[[[f64; 2]; 2]]) -> Vec<PlacedLabel> {
     let marks: Vec<Rect> = wanted.iter().map(|name| Rect::around(name.at, [name.radius * 2.0; 2])).collect();
-    let mut names: Vec<Placed> = Vec::new();
+    let mut names: Vec<PlacedLabel> = Vec::new();
     for (own, name) in wanted.iter().enumerate() {
-        let cost = |placed: &Placed| {
+        let cost = |placed: &PlacedLabel| {
             let rect = &placed.rect;
             let outside = rect.area() - rect.overlap(&bounds);
             let on_marks: f64 = marks.iter().map(|mark| rect.overlap(mark)).sum();
@@ -123,7 +123,7 @@ pub(crate) fn place(wanted: &[Wanted], bounds: Rect, taken: &[Rect], lines: &[[[
     names
 }
 
-fn candidates(name: &Wanted) -> impl Iterator<Item = Placed> {
+fn candidates(name: &Wanted) -> impl Iterator<Item = PlacedLabel> {
     let Wanted { at, radius, size } = *name;
     GAPS_PX.into_iter().flat_map(move |gap| {
         SIDES.into_iter().map(move |[x, y]| {
@@ -132,7 +132,7 @@ fn candidates(name: &Wanted) -> impl Iterator<Item = Placed> {
             let slant = if x != 0.0 && y != 0.0 { 0.6 } else { 1.0 };
             let middle = [at[0] + x * (away * slant + size[0] / 2.0), at[1] + y * (away * slant + size[1] / 2.0)];
             let rect = Rect::around(middle, size);
-            Placed { rect, leader: (gap > LED_FROM_PX).then(|| rect.nearest(at)) }
+            PlacedLabel { rect, leader: (gap > LED_FROM_PX).then(|| rect.nearest(at)) }
         })
     })
 }

@@ -27,9 +27,9 @@ pub struct Report {
     pub adapter: String,
     /// What was looked at or flown along.
     #[serde(flatten)]
-    pub view: Option<View>,
+    pub view: Option<Viewpoint>,
     /// In the order in which they were asked for.
-    pub methods: Vec<Method>,
+    pub methods: Vec<MethodFigures>,
     /// Methods that could not be measured.
     #[serde(default)]
     pub left_out: Vec<LeftOut>,
@@ -44,7 +44,7 @@ pub struct Report {
 /// From where, by its name in the scene; in the file, `"camera": NAME` or `"path": NAME`.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
-pub enum View {
+pub enum Viewpoint {
     /// A still.
     Camera(String),
     /// A flight.
@@ -53,7 +53,7 @@ pub enum View {
 
 /// One way to draw, measured.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Method {
+pub struct MethodFigures {
     /// Its name in the table of methods.
     pub name: String,
     /// What it does, in words: "sorting" → "by distance".
@@ -85,12 +85,12 @@ pub struct Cost {
     /// By the adapter's own clock, milliseconds; none without an adapter that has one.
     pub gpu_ms: Figure,
     /// What no machine changes.
-    pub counts: Counts,
+    pub counts: FrameCounts,
 }
 
 /// Work that is the same on every machine.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
-pub struct Counts {
+pub struct FrameCounts {
     /// Sprites drawn.
     pub sprites: u64,
     /// Sprite corners whose light was computed.
@@ -159,7 +159,7 @@ pub struct LeftOut {
     pub reason: String,
 }
 
-impl Method {
+impl MethodFigures {
     /// Frame time and mean FLIP, if both were measured: its place in the chart.
     pub fn cost_and_error(&self) -> Option<[f64; 2]> {
         finite(self.cost.frame_ms, self.error.flip_mean)

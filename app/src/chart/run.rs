@@ -7,7 +7,7 @@
 use super::charted::{Charted, Drawing, Times};
 use super::frame_figures::mean;
 use super::pictures::Pictures;
-use super::report::{Cost, Counts, Figure, FrameFigures, LeftOut, Method, Report};
+use super::report::{Cost, Figure, FrameCounts, FrameFigures, LeftOut, MethodFigures, Report};
 use super::subject::Subject;
 use crate::renderer::RenderError;
 use cloudwright_core::image::Picture;
@@ -43,7 +43,7 @@ pub struct Run<'a> {
 /// A method, and what is known of it.
 struct Measured<'a> {
     charted: Charted<'a>,
-    figures: Method,
+    figures: MethodFigures,
     /// Of each round, at each place.
     rounds: Vec<Vec<Times>>,
 }
@@ -62,9 +62,9 @@ impl<'a> Run<'a> {
         let begin = |charted: Charted<'a>| {
             let name = charted.method.name;
             let found = known.methods.iter().find(|method| method.name == name).cloned();
-            let figures = found.unwrap_or_else(|| Method { name: name.into(), ..Method::default() });
+            let figures = found.unwrap_or_else(|| MethodFigures { name: name.into(), ..MethodFigures::default() });
             let (settings, known_to_fail) = (charted.method.rules.in_words(), charted.method.family == Family::Failing);
-            Measured { charted, figures: Method { settings, known_to_fail, ..figures }, rounds: Vec::new() }
+            Measured { charted, figures: MethodFigures { settings, known_to_fail, ..figures }, rounds: Vec::new() }
         };
         let measured: Vec<Measured<'_>> = charted.into_iter().map(begin).collect();
         let (places, repeat) = (subject.places(), repeat.max(1) as usize);
@@ -143,7 +143,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// None, since the truth needs no adapter.
     pub fn draw(&mut self) -> Result<Pictures, RenderError> {
-        let at_s = self.telling();
+        let at_s = self.most_telling_s();
         let known = self.truths.iter().position(|(known, _)| *known == at_s);
         let truth = match known {
             Some(index) => self.truths.swap_remove(index).1,
@@ -160,7 +160,7 @@ impl<'a> Run<'a> {
     }
 
     /// The place with the largest product of contrast and error.
-    fn telling(&self) -> f64 {
+    fn most_telling_s(&self) -> f64 {
         let worth = |at_s: f64| -> f64 {
             let frames = self.measured.iter().flat_map(|one| &one.figures.frames).filter(|frame| frame.at_s == at_s);
             frames.map(|frame| frame.contrast * frame.error.flip_mean.unwrap_or_default()).sum()
@@ -229,12 +229,12 @@ impl Measured<'_> {
             frame_ms: over_rounds(&|times| Some(times.frame_ms)),
             cpu_ms: over_rounds(&|times| Some(times.cpu_ms)),
             gpu_ms: over_rounds(&|times| times.gpu_ms),
-            counts: Counts::default(),
+            counts: FrameCounts::default(),
         }
     }
 
     /// On average over the places.
-    fn counts(&mut self, timed: &[f64]) -> Counts {
+    fn counts(&mut self, timed: &[f64]) -> FrameCounts {
         let counted: Vec<_> = timed.iter().map(|at_s| self.charted.counts(*at_s)).collect();
         let average = |of: &dyn Fn(&cloudwright_core::measure::Counts) -> f64| {
             counted.iter().map(of).sum::<f64>() / counted.len().max(1) as f64
@@ -242,7 +242,7 @@ impl Measured<'_> {
         let whole = |of: &dyn Fn(&cloudwright_core::measure::Counts) -> u64| {
             average(&|counts| of(counts) as f64).round() as u64
         };
-        Counts {
+        FrameCounts {
             sprites: whole(&|counts| counts.sprites),
             corners_shaded: whole(&|counts| counts.corners_shaded),
             fragments: Some(average(&|counts| counts.fragments as f64)),

@@ -1,6 +1,6 @@
 //! What all methods of a chart draw: a scene from a camera, or along a path.
 
-use super::report::View;
+use super::report::Viewpoint;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::scene::{CameraPath, Scene};
@@ -49,10 +49,10 @@ impl Subject<'_> {
     }
 
     /// As the report says it.
-    pub fn view(&self) -> View {
+    pub fn view(&self) -> Viewpoint {
         match self.path {
-            Some(path) => View::Path(path.name.clone()),
-            None => View::Camera(self.sight.camera.name.clone()),
+            Some(path) => Viewpoint::Path(path.name.clone()),
+            None => Viewpoint::Camera(self.sight.camera.name.clone()),
         }
     }
 

@@ -183,7 +183,7 @@ fn write_report(file: &std::path::Path, report: &Report) -> Result<(), Failure> 
 /// A line for each method, from cheap to dear, and which one to take.
 fn in_words(report: &Report, tolerance: f64) -> String {
     let mut methods: Vec<_> = report.methods.iter().collect();
-    let cost = |method: &report::Method| method.cost.frame_ms.unwrap_or(f64::INFINITY);
+    let cost = |method: &report::MethodFigures| method.cost.frame_ms.unwrap_or(f64::INFINITY);
     methods.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     let mut out = format!("{:<20}{:>10}{:>12}{:>15}\n", "method", "ms", "FLIP", "excess change");
     for method in methods {

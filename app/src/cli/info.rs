@@ -27,7 +27,7 @@ pub(super) struct Arguments {
 }
 
 #[derive(Serialize)]
-struct Counts {
+struct SceneCounts {
     name: String,
     models: usize,
     boxes: usize,
@@ -101,7 +101,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     answer(&if arguments.json { json_text(&counts)? } else { as_text(&counts) })
 }
 
-fn count(scene: &Scene, placed: &[PlacedCloud]) -> Counts {
+fn count(scene: &Scene, placed: &[PlacedCloud]) -> SceneCounts {
     let models = scene.models_by_id();
     let model_of: HashMap<CloudId, ModelId> = scene.clouds.iter().map(|cloud| (cloud.id, cloud.model)).collect();
     let clouds: Vec<CloudCounts> = placed
@@ -120,7 +120,7 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> Counts {
             }
         })
         .collect();
-    Counts {
+    SceneCounts {
         name: scene.name.clone(),
         models: scene.models.len(),
         boxes: scene.models.iter().map(|model| model.boxes.len()).sum(),
@@ -152,8 +152,8 @@ fn paths(scene: &Scene) -> Vec<PathCounts> {
     scene.paths.iter().map(count).collect()
 }
 
-fn as_text(counts: &Counts) -> String {
-    let Counts { name, models, boxes, cameras, paths, total, clouds } = counts;
+fn as_text(counts: &SceneCounts) -> String {
+    let SceneCounts { name, models, boxes, cameras, paths, total, clouds } = counts;
     let [models, boxes] = [counted(*models, "model", "models"), counted(*boxes, "box", "boxes")];
     let mut out = one_line(&format!("{name}: {models}, {boxes}, {}", counted(total.clouds, "cloud", "clouds")));
     let _ = write!(out, "\ncameras: {}\n\n", one_line(&cameras.join(", ")));

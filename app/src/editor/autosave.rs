@@ -17,33 +17,33 @@ use std::path::PathBuf;
 impl Editor {
     /// Has what is unsaved kept, if it is not what was asked for last.
     pub(super) fn autosave(&mut self) {
-        let Some(writer) = &self.desk.rescue_writer else { return };
+        let Some(writer) = &self.disk.rescue_writer else { return };
         if !self.session.document().is_modified() {
             return self.drop_rescue();
         }
         let Some(scene) = self.session.settled() else { return };
-        let unsaved = Unsaved { scene, path: self.session.path().map(PathBuf::from), known: self.desk.known };
-        if !self.desk.kept.as_ref().is_some_and(|kept| kept.is_same(&unsaved)) {
+        let unsaved = Unsaved { scene, path: self.session.path().map(PathBuf::from), known: self.disk.known };
+        if !self.disk.kept.as_ref().is_some_and(|kept| kept.is_same(&unsaved)) {
             writer.keep(unsaved.clone());
-            self.desk.kept = Some(unsaved);
+            self.disk.kept = Some(unsaved);
         }
     }
 
     /// What must be done last in a program that is told to end, lest work be lost; none if nothing is kept at all.
     pub(super) fn last_call(&self) -> Option<impl Fn() + Send + use<>> {
-        self.desk.rescue_writer.as_ref().map(RescueWriter::last_call)
+        self.disk.rescue_writer.as_ref().map(RescueWriter::last_call)
     }
 
     /// Nothing is unsaved any more.
     pub(super) fn drop_rescue(&mut self) {
-        if let (Some(_), Some(writer)) = (self.desk.kept.take(), &self.desk.rescue_writer) {
+        if let (Some(_), Some(writer)) = (self.disk.kept.take(), &self.disk.rescue_writer) {
             writer.clear();
         }
     }
 
     /// Says that the work can't be kept, and when it can again.
     pub(super) fn tell_whether_work_is_kept(&mut self) {
-        while let Some(kept) = self.desk.rescue_writer.as_ref().and_then(|writer| writer.news()) {
+        while let Some(kept) = self.disk.rescue_writer.as_ref().and_then(|writer| writer.news()) {
             match kept {
                 Ok(()) => {
                     self.toasts.forget_errors();
@@ -56,7 +56,7 @@ impl Editor {
 
     /// Offers what other editors left when they ended without saving.
     pub(super) fn offer_recovery(&mut self) {
-        let orphans = self.desk.folders().map(storage::orphans).unwrap_or_default();
+        let orphans = self.disk.folders().map(storage::orphans).unwrap_or_default();
         if !orphans.is_empty() {
             self.dialogs.open(Dialog::Recovery(orphans));
         }
@@ -79,7 +79,7 @@ impl Editor {
         session.mark_unsaved();
         let problems = session.load_beside();
         // One of this editor's own goes; the work is where it always was.
-        if let Some(writer) = &self.desk.rescue_writer {
+        if let Some(writer) = &self.disk.rescue_writer {
             writer.take_over(orphan.slot);
         }
         self.replace(session, rescue.known);

@@ -24,7 +24,7 @@ impl Editor {
 
     /// Carries `intent` out, after a save that is under way, and after a question if there are unsaved changes.
     pub(super) fn want(&mut self, intent: Intent, context: &egui::Context) {
-        if self.desk.saving {
+        if self.disk.saving {
             self.after_save = Some(intent);
         } else if self.session.document().is_modified() {
             self.dialogs.open(Dialog::Unsaved(intent));
@@ -63,7 +63,7 @@ impl Editor {
         self.replace(session, stamp);
         self.tell(format!("Opened {}", path.display()));
         let path = path.to_path_buf();
-        self.desk.remember(move |settings| settings.remember_scene(&path));
+        self.disk.remember(move |settings| settings.remember_scene(&path));
     }
 
     /// Reads the document's file again, whatever is lost.
@@ -77,7 +77,7 @@ impl Editor {
     pub(super) fn replace(&mut self, session: Session, known: Option<Stamp>) {
         self.viewport.see(&session);
         self.session = session;
-        self.desk.known = known;
+        self.disk.known = known;
         self.time_play.leave();
         self.clock.begin_anew();
         self.recording = None;
@@ -136,7 +136,7 @@ impl Editor {
     /// The window's own button: closing waits until files are written and the question is answered.
     pub(super) fn answer_close_request(&mut self, context: &egui::Context) {
         let asked = context.input(|input| input.viewport().close_requested());
-        if asked && !self.quitting && (self.desk.saving || self.session.document().is_modified()) {
+        if asked && !self.quitting && (self.disk.saving || self.session.document().is_modified()) {
             context.send_viewport_cmd(egui::ViewportCommand::CancelClose);
             self.want(Intent::Quit, context);
         }

@@ -6,8 +6,8 @@
 
 mod autosave;
 mod charting;
-mod desk;
 mod dialogs;
+mod disk;
 mod done;
 mod file_flow;
 mod files;
@@ -38,8 +38,8 @@ use crate::thumbnail::Thumbnails;
 use crate::viewport::Viewport;
 use crate::visible;
 use cloudwright_core::scene::{Camera, CameraId, ColorLevels};
-use desk::Desk;
 use dialogs::Dialogs;
+use disk::Disk;
 use eframe::egui_wgpu::RenderState;
 use files::Waiting;
 use intent::Intent;
@@ -69,12 +69,12 @@ pub struct Editor {
     last_camera: Option<CameraId>,
     copied_levels: Option<ColorLevels>,
     file_dialogs: Box<dyn FileDialogs>,
-    desk: Desk,
+    disk: Disk,
     waiting: Option<Waiting>,
     after_save: Option<Intent>,
     dialogs: Dialogs,
     toasts: Toasts,
-    /// Shared by galleries in dialogs and panels, which only read all else.
+    /// Shared by dialogs and panels that show pictures to choose from, which only read all else.
     thumbnails: RefCell<Thumbnails>,
     /// Esc was pressed: the rest of this gesture is ignored.
     gesture_dropped: bool,
@@ -101,7 +101,7 @@ impl Editor {
     pub fn new(context: &egui::Context, start: Start) -> Self {
         let Start { scene: path, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
-        let (desk, notices) = Desk::new(context, folders);
+        let (disk, notices) = Disk::new(context, folders);
         let session = Session::new(starter_scene(), None);
         let mut editor = Self {
             viewport: Viewport::new(context, &session, renderer, device),
@@ -118,7 +118,7 @@ impl Editor {
             last_camera: None,
             copied_levels: None,
             file_dialogs,
-            desk,
+            disk,
             waiting: None,
             after_save: None,
             dialogs: Dialogs::default(),
@@ -240,7 +240,7 @@ impl Editor {
             charting,
             recording,
             copied_levels,
-            desk,
+            disk,
             ..
         } = self;
         let reading = Reading {
@@ -256,7 +256,7 @@ impl Editor {
             levels_shown: layout.shows(Panel::ColorLevels),
             is_recording: recording.is_some(),
             flight_shown: layout.shows(Panel::Flight),
-            units: desk.settings().units,
+            units: disk.settings().units,
         };
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
             let drawn = panel::Drawn {
@@ -264,7 +264,7 @@ impl Editor {
                 time: viewport.picture_time(),
                 overdraw: viewport.overdraw(),
             };
-            panel::status(ui, &reading, &drawn, desk.saving, &mut actions);
+            panel::status(ui, &reading, &drawn, disk.saving, &mut actions);
         });
         egui::CentralPanel::no_frame().show(ui, |ui| {
             layout.show(ui, |panel, ui| match panel {

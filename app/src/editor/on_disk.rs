@@ -13,10 +13,10 @@ impl Editor {
     /// Looks after the file, and after what was seen of it.
     pub(super) fn watch_file(&mut self, context: &egui::Context) {
         let focused = context.input(|input| input.focused);
-        let Some(watcher) = &self.desk.watcher else { return };
+        let Some(watcher) = &self.disk.watcher else { return };
         // While it is being saved here, what is there changes on purpose.
-        let watched = self.session.path().filter(|_| focused && !self.desk.saving);
-        watcher.watch(watched.map(|path| (path, self.desk.known)));
+        let watched = self.session.path().filter(|_| focused && !self.disk.saving);
+        watcher.watch(watched.map(|path| (path, self.disk.known)));
         if let Some(Sighting { path, stamp }) = watcher.news()
             && watched == Some(&path)
         {
@@ -25,7 +25,7 @@ impl Editor {
     }
 
     fn changed_on_disk(&mut self, path: &Path, stamp: Option<Stamp>) {
-        self.desk.known = stamp;
+        self.disk.known = stamp;
         if stamp.is_none() {
             self.session.mark_unsaved();
             self.tell_error(format!("{} is gone; save to write it again", path.display()));
@@ -45,7 +45,7 @@ impl Editor {
                 let mut session = Session::new(scene, Some(path.clone()));
                 let problems = session.load_beside();
                 self.session = session;
-                self.desk.known = stamp;
+                self.disk.known = stamp;
                 self.view.keep_what_is_in(self.session.scene());
                 self.tell(format!("{} was changed by another program and is loaded anew", self.display_name()));
                 self.dialogs.list(&path, problems);

@@ -14,7 +14,7 @@ use cloudwright_core::scene::{Camera, CameraPath, PathId, PathKey};
 /// The path misses what was flown by no more, metres and degrees: a sprite is tens of metres wide.
 const TOLERANCE_M: f64 = 1.0;
 const TOLERANCE_DEG: f64 = 0.5;
-/// A view that is put elsewhere goes there so fast, metres a second: as fast as hands fly.
+/// A view that is put elsewhere goes there so fast, metres a second: as fast as one flies by hand.
 const FASTEST_M_S: f64 = 4000.0;
 /// No more than what is flown in an hour at 60 frames a second.
 const MOST_SAMPLES: usize = 216_000;
@@ -90,7 +90,7 @@ impl Editor {
         self.tell(said);
     }
 
-    /// A frame of the recording, after the hands have moved the view.
+    /// A frame of the recording, after the view was moved by hand.
     pub(super) fn record(&mut self, context: &egui::Context) {
         if let Some(recording) = &mut self.recording {
             recording.follow(self.viewport.camera(), context.input(|input| f64::from(input.stable_dt)));

@@ -9,10 +9,10 @@ use egui::ThemePreference;
 impl Editor {
     /// As the user left it.
     pub(super) fn recall(&mut self, context: &egui::Context) {
-        if let Some(layout) = self.desk.settings().layout.as_ref().and_then(Layout::from_saved) {
+        if let Some(layout) = self.disk.settings().layout.as_ref().and_then(Layout::from_saved) {
             self.layout = layout;
         }
-        context.set_theme(match self.desk.settings().theme {
+        context.set_theme(match self.disk.settings().theme {
             ThemeChoice::System => ThemePreference::System,
             ThemeChoice::Dark => ThemePreference::Dark,
             ThemeChoice::Light => ThemePreference::Light,
@@ -26,35 +26,35 @@ impl Editor {
             ThemePreference::Dark => ThemeChoice::Dark,
             ThemePreference::Light => ThemeChoice::Light,
         };
-        if theme != self.desk.settings().theme {
-            self.desk.remember(move |settings| settings.theme = theme);
+        if theme != self.disk.settings().theme {
+            self.disk.remember(move |settings| settings.theme = theme);
         }
         let at_rest = !context.input(|input| input.pointer.any_down());
         if at_rest && self.layout.take_changed() {
             let layout = self.layout.to_saved();
-            self.desk.remember(move |settings| settings.layout.clone_from(&layout));
+            self.disk.remember(move |settings| settings.layout.clone_from(&layout));
         }
         let inner = context.input(|input| input.viewport().inner_rect);
         if let Some(size) = inner.map(|rect| rect.size()).filter(|size| size.is_finite() && size.min_elem() >= 1.0) {
             let size = Some([size.x, size.y]);
-            if size != self.desk.window_size {
+            if size != self.disk.window_size {
                 // The frame in which a window grows may still be presented at its old size.
                 context.request_repaint();
             }
-            self.desk.window_size = size;
+            self.disk.window_size = size;
         }
     }
 
     /// From metric units to those of aviation and back.
     pub(super) fn switch_units(&mut self) {
-        let units = self.desk.settings().units.other();
-        self.desk.remember(move |settings| settings.units = units);
+        let units = self.disk.settings().units.other();
+        self.disk.remember(move |settings| settings.units = units);
     }
 
     /// Shows the last scenes, when it is known which are still there.
     pub(super) fn list_recent(&mut self, context: &egui::Context) {
-        let paths = self.desk.settings().recent().to_vec();
-        self.desk.clerk.ask(move || {
+        let paths = self.disk.settings().recent().to_vec();
+        self.disk.file_jobs.ask(move || {
             let with_state = paths.into_iter().map(|path| {
                 let there = storage::is_there(&path);
                 (path, there)

@@ -1,6 +1,6 @@
 //! Saving, off the frame.
 //!
-//! The scene is copied and handed to the clerk with the mark of its state; when the file is whole, that state is the
+//! The scene is copied and handed to the thread that writes files, with the mark of its state; when the file is whole, that state is the
 //! saved one, and what was edited meanwhile stays modified. What was to follow (closing, a new scene) waits for it. A
 //! file that is not the one last known is not replaced without a question.
 
@@ -44,7 +44,7 @@ impl Editor {
 
     /// What may be replaced at `path` without a question.
     fn over(&self, path: &Path) -> Over {
-        match self.desk.known {
+        match self.disk.known {
             Some(stamp) if self.session.path() == Some(path) => Over::Known(stamp),
             _ => Over::Nothing,
         }
@@ -59,8 +59,8 @@ impl Editor {
         let (scene, path) = (self.session.scene().clone(), path.to_path_buf());
         let from = self.session.path().map(PathBuf::from);
         let mark = self.session.document().mark();
-        self.desk.saving = true;
-        self.desk.clerk.ask(move || {
+        self.disk.saving = true;
+        self.disk.file_jobs.ask(move || {
             let outcome = saving::save(&scene, from.as_deref(), &path, over);
             Done::Saved { path, mark, outcome }
         });
@@ -74,18 +74,18 @@ impl Editor {
         outcome: Result<Saved, SaveError>,
         context: &egui::Context,
     ) {
-        self.desk.saving = false;
+        self.disk.saving = false;
         match outcome {
             Ok(Saved { stamp, copied }) => {
                 self.dialogs.list(&path, self.session.saved_as(path.clone(), mark));
-                self.desk.known = Some(stamp);
+                self.disk.known = Some(stamp);
                 let copied = if copied.is_empty() {
                     String::new()
                 } else {
                     format!("; copied beside it: {}", copied.join(", "))
                 };
                 self.tell(format!("Saved {}{copied}", path.display()));
-                self.desk.remember(move |settings| settings.remember_scene(&path));
+                self.disk.remember(move |settings| settings.remember_scene(&path));
                 if let Some(intent) = self.after_save.take() {
                     self.want(intent, context);
                 }

@@ -26,14 +26,14 @@ pub(super) struct Thinning {
 
 #[derive(Debug)]
 struct Work {
-    worker: Latest<Wish, Result<Thinned, ThinError>>,
+    worker: Latest<Request, Result<Thinned, ThinError>>,
     watch: Arc<Watch>,
     /// The scene that it is of.
     revision: Version,
 }
 
 #[derive(Debug)]
-struct Wish {
+struct Request {
     scene: Arc<Scene>,
     beside: Beside,
     tolerance: f64,
@@ -76,12 +76,13 @@ impl Editor {
 
     fn begin_thinning(&mut self, asked: &mut Thinning, context: &egui::Context) {
         let wake = context.clone();
-        let work = |Wish { scene, beside, tolerance, watch }: Wish| thin(&scene, beside.sheet(), tolerance, &watch);
+        let work =
+            |Request { scene, beside, tolerance, watch }: Request| thin(&scene, beside.sheet(), tolerance, &watch);
         match Latest::start_beside_the_window("thinning", work, move || wake.request_repaint()) {
             Ok(worker) => {
                 let (scene, _, beside) = self.session.to_draw();
                 let watch = Arc::new(Watch::default());
-                worker.ask(Wish { scene, beside, tolerance: asked.tolerance, watch: Arc::clone(&watch) });
+                worker.ask(Request { scene, beside, tolerance: asked.tolerance, watch: Arc::clone(&watch) });
                 asked.refusal = None;
                 asked.work = Some(Work { worker, watch, revision: self.session.revision() });
             }

@@ -38,7 +38,7 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub(crate) enum Panel {
-    /// The picture and the hands on it.
+    /// The picture, and what is done in it.
     Viewport,
     /// Models, clouds and cameras as a tree.
     Outline,

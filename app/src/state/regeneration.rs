@@ -19,7 +19,7 @@ const NEARLY_DONE: Duration = Duration::from_millis(500);
 
 /// What the clouds are to become.
 #[derive(Debug)]
-pub(super) struct Wish {
+pub(super) struct Request {
     pub(super) scene: Arc<Scene>,
     pub(super) before: Arc<Derived>,
     pub(super) change: Change,
@@ -27,7 +27,7 @@ pub(super) struct Wish {
 
 #[derive(Debug, Default)]
 pub(super) struct Regeneration {
-    worker: Option<Latest<(Wish, Arc<Watch>), Option<Derived>>>,
+    worker: Option<Latest<(Request, Arc<Watch>), Option<Derived>>>,
     in_hand: Option<InHand>,
     /// What is in hand, if anything, is overtaken.
     is_wanted: bool,
@@ -79,10 +79,10 @@ impl Regeneration {
     }
 
     /// Sees that what is wanted gets done; has the window look again while anything is pending.
-    pub(super) fn keep_up(&mut self, wish: impl FnOnce() -> Wish, context: &egui::Context) {
+    pub(super) fn keep_up(&mut self, request: impl FnOnce() -> Request, context: &egui::Context) {
         match &self.in_hand {
             Some(work) if self.is_wanted && !work.is_worth_finishing() => work.watch.cancel(),
-            None if self.is_wanted => self.begin(wish(), context),
+            None if self.is_wanted => self.begin(request(), context),
             _ => {}
         }
         if self.pending().is_some() {
@@ -90,17 +90,18 @@ impl Regeneration {
         }
     }
 
-    fn begin(&mut self, wish: Wish, context: &egui::Context) {
+    fn begin(&mut self, request: Request, context: &egui::Context) {
         if self.worker.is_none() {
             let wake = context.clone();
-            let work =
-                |(wish, watch): (Wish, Arc<Watch>)| wish.before.plan(&wish.scene, &wish.change).carry_out(&watch);
+            let work = |(request, watch): (Request, Arc<Watch>)| {
+                request.before.plan(&request.scene, &request.change).carry_out(&watch)
+            };
             // Without a thread the clouds stay as they are, and the bar shows that they wait.
             self.worker = Latest::start_beside_the_window("clouds", work, move || wake.request_repaint()).ok();
         }
         if let Some(worker) = &self.worker {
             let watch = Arc::new(Watch::default());
-            worker.ask((wish, Arc::clone(&watch)));
+            worker.ask((request, Arc::clone(&watch)));
             self.in_hand = Some(InHand { watch, begun: Instant::now() });
             self.is_wanted = false;
         }

@@ -7,7 +7,7 @@
 //! `stale` is whatever may differ between the scene and what is derived. It grows with every change, and is emptied
 //! only when the clouds are those of the scene as it is; so nothing is lost, whatever happens on the way.
 
-use super::regeneration::{Regeneration, Wish};
+use super::regeneration::{Regeneration, Request};
 use crate::opening::Beside;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Change, Document, Edit, EditError, SavedMark};
@@ -218,8 +218,8 @@ impl Session {
             context.request_repaint();
         }
         let Self { regeneration, shown, derived, stale, .. } = self;
-        let wish = || Wish { scene: Arc::clone(shown), before: Arc::clone(derived), change: stale.clone() };
-        regeneration.keep_up(wish, context);
+        let request = || Request { scene: Arc::clone(shown), before: Arc::clone(derived), change: stale.clone() };
+        regeneration.keep_up(request, context);
     }
 
     /// Undoes or redoes until `count` points are done.

@@ -31,7 +31,7 @@ pub(crate) const NUMBER_WIDTH: f32 = 62.0;
 pub(crate) const SEED_WIDTH: f32 = 96.0;
 /// Of the column of names in the inspector, points.
 pub(crate) const NAME_WIDTH: f32 = 108.0;
-/// Of the gallery of presets: three pictures side by side, points.
+/// Of the presets to choose from: three pictures side by side, points.
 pub(crate) const GALLERY_WIDTH: f32 = 620.0;
 /// Of the menu of categories: three pictures side by side, points.
 pub(crate) const CATEGORIES_WIDTH: f32 = 306.0;
@@ -56,7 +56,7 @@ pub(crate) const HUD_TEXT: f32 = 15.0;
 /// From the viewport's lower rim to the instruments, points: the hints stand below.
 pub(crate) const HUD_HEIGHT: f32 = 40.0;
 
-/// Of a ready-made cloud in its gallery, points.
+/// Of the picture of a ready-made cloud to choose, points.
 pub(crate) const PRESET_PICTURE: Vec2 = vec2(192.0, 120.0);
 /// Of a category among the others: three of them side by side in the inspector, points.
 pub(crate) const CATEGORY_PICTURE: Vec2 = vec2(90.0, 56.25);

@@ -40,8 +40,8 @@ enum Stage {
     Height(Pos2, f64),
 }
 
-/// What the hands do in this frame.
-struct Hands {
+/// What pointer and keys do in this frame.
+struct Input {
     at: Option<Pos2>,
     pressed: bool,
     down: bool,
@@ -62,7 +62,7 @@ impl BoxTool {
         self.drawing = None;
     }
 
-    /// Draws as the hands say. `looked_at` is where Enter puts a box.
+    /// Draws as pointer and keys say. `looked_at` is where Enter puts a box.
     #[allow(clippy::too_many_arguments, reason = "each is another kind of thing")]
     pub(super) fn show(
         &mut self,
@@ -74,46 +74,46 @@ impl BoxTool {
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
     ) {
-        let hands = hands(ui, response, reading);
+        let input = read_input(ui, response, reading);
         let lost = |drawing: &Drawing| drawing.drawn.made.is_some() && !reading.session.document().is_open();
-        if hands.escape || self.drawing.as_ref().is_some_and(lost) {
+        if input.escape || self.drawing.as_ref().is_some_and(lost) {
             self.drawing = None;
             return;
         }
         let base_m = reading.view.base_altitude_m(reading.session.scene());
         match self.drawing.take() {
-            None => self.begin(&hands, screen, base_m, looked_at, reading, actions),
-            Some(drawing) => self.drawing = drawing.go_on(&hands, screen, reading, actions),
+            None => self.begin(&input, screen, base_m, looked_at, reading, actions),
+            Some(drawing) => self.drawing = drawing.go_on(&input, screen, reading, actions),
         }
-        self.paint(&hands, painter, screen, looked_at, reading);
+        self.paint(&input, painter, screen, looked_at, reading);
     }
 
     fn begin(
         &mut self,
-        hands: &Hands,
+        input: &Input,
         screen: &Screen,
         base_m: f64,
         looked_at: DVec3,
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
     ) {
-        if hands.enter {
+        if input.enter {
             let mut drawn = Drawn::new(Target::of(reading), DVec3 { y: base_m, ..looked_at });
             drawn.stand_about(looked_at);
             finish(drawn, reading, actions);
-        } else if hands.pressed
-            && let Some(at) = hands.at
+        } else if input.pressed
+            && let Some(at) = input.at
             && let Some((surface, from)) = Surface::at(at, screen, base_m, looked_at)
         {
             let mut drawn = Drawn::new(Target::of(reading), from);
-            surface.drag(&mut drawn, from, hands.snap_m);
+            surface.drag(&mut drawn, from, input.snap_m);
             self.drawing = Some(Drawing { drawn, surface, stage: Stage::Footprint(at) });
         }
     }
 
-    fn paint(&self, hands: &Hands, painter: &Painter, screen: &Screen, looked_at: DVec3, reading: &Reading<'_>) {
+    fn paint(&self, input: &Input, painter: &Painter, screen: &Screen, looked_at: DVec3, reading: &Reading<'_>) {
         let base_m = reading.view.base_altitude_m(reading.session.scene());
-        let Some(at) = hands.at.filter(|at| screen.rect.contains(*at)) else { return };
+        let Some(at) = input.at.filter(|at| screen.rect.contains(*at)) else { return };
         let drawn = self.drawing.as_ref().map(|drawing| &drawing.drawn);
         let point = match drawn {
             Some(drawn) => Some(drawn.to),
@@ -131,7 +131,7 @@ impl BoxTool {
             wireframe::paint_selected(painter, screen, cloud, each);
         }
         let space = drawn.map_or_else(|| Target::of(reading).space(), |drawn| drawn.target.space());
-        plane::paint_patch(painter, screen, &space, point, hands.snap_m.unwrap_or(0.0));
+        plane::paint_patch(painter, screen, &space, point, input.snap_m.unwrap_or(0.0));
         let text = match drawn {
             Some(drawn) => {
                 let size = drawn.size_m();
@@ -147,20 +147,20 @@ impl Drawing {
     /// The next step; none when it is done or dropped.
     fn go_on(
         mut self,
-        hands: &Hands,
+        input: &Input,
         screen: &Screen,
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
     ) -> Option<Self> {
-        let Some(at) = hands.at else { return Some(self) };
+        let Some(at) = input.at else { return Some(self) };
         let before = self.drawn.clone();
         match self.stage {
             Stage::Footprint(from) => {
                 let is_drag = at.distance(from) >= LEAST_DRAG;
                 if is_drag && let Some(to) = self.surface.under(at, screen) {
-                    self.surface.drag(&mut self.drawn, to, hands.snap_m);
+                    self.surface.drag(&mut self.drawn, to, input.snap_m);
                 }
-                if !hands.down {
+                if !input.down {
                     if !is_drag || self.drawn.made.is_none() && before == self.drawn {
                         if self.drawn.made.is_some() {
                             actions.push(Action::DropGesture);
@@ -172,8 +172,8 @@ impl Drawing {
             }
             Stage::Height(from, height_m) => {
                 let pulled = pulled_m(screen, self.drawn.to, from, at);
-                self.drawn.pull_to(height_m + pulled, hands.snap_m);
-                if hands.pressed || hands.enter {
+                self.drawn.pull_to(height_m + pulled, input.snap_m);
+                if input.pressed || input.enter {
                     finish(self.drawn, reading, actions);
                     return None;
                 }
@@ -205,11 +205,11 @@ fn pulled_m(screen: &Screen, corner: DVec3, from: Pos2, to: Pos2) -> f64 {
     }
 }
 
-fn hands(ui: &Ui, response: &Response, reading: &Reading<'_>) -> Hands {
+fn read_input(ui: &Ui, response: &Response, reading: &Reading<'_>) -> Input {
     let (focused, dialog) = ui.memory(|memory| (memory.focused(), memory.top_modal_layer().is_some()));
     let may_type = !dialog && focused.is_none_or(|id| id == response.id);
     let snap = reading.view.snap;
-    ui.input_mut(|input| Hands {
+    ui.input_mut(|input| Input {
         at: input.pointer.latest_pos().filter(|_| !dialog),
         pressed: response.contains_pointer() && input.pointer.primary_pressed() && !input.modifiers.alt,
         down: input.pointer.primary_down(),

@@ -4,7 +4,7 @@
 //! that one, and the memory by the truth's rules goes on through all changes of method.
 
 use super::lens::LensSource;
-use super::memory::{Memory, Place};
+use super::memory::{Memory, ViewAt};
 use super::picture::PictureSource;
 use crate::renderer::RendererChoice;
 use crate::state::{Lens, Reading};
@@ -73,19 +73,19 @@ impl Canvas {
         ui: &mut Ui,
         painter: &Painter,
         rect: Rect,
-        place: &Place<'_>,
+        at: &ViewAt<'_>,
         quick: bool,
         reading: &Reading<'_>,
     ) -> Sight {
         let (session, view) = (reading.session, reading.view);
         let own = || Rules { sorting: view.sorting, ..self.picture.own_rules() };
         let rules = view.method.map_or_else(own, |method| method.rules);
-        let truth = self.true_memory.sight(&method::truth().rules, place, reading);
+        let truth = self.true_memory.sight(&method::truth().rules, at, reading);
         let sight = if rules.remember_as(&truth.rules) {
             self.own_memory = None;
             Sight { rules, ..truth.clone() }
         } else {
-            self.own_memory.get_or_insert_with(|| Memory::new(rules)).sight(&rules, place, reading)
+            self.own_memory.get_or_insert_with(|| Memory::new(rules)).sight(&rules, at, reading)
         };
         match view.lens {
             Lens::Picture => self.lens.put_away(),

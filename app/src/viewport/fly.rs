@@ -30,9 +30,9 @@ pub(super) struct Flight {
     speed_m_s: f64,
 }
 
-/// What the hands want in one frame.
+/// What mouse and keys ask for in one frame.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Wish {
+pub(super) struct Steering {
     /// In the world.
     pub(super) velocity_m_s: DVec3,
     /// Of heading and pitch, more than was wanted before.
@@ -83,15 +83,15 @@ impl Flight {
     }
 
     /// Goes on for `dt_s`; a stall counts as one step.
-    pub(super) fn advance(&mut self, dt_s: f64, wish: &Wish) -> Step {
+    pub(super) fn advance(&mut self, dt_s: f64, steering: &Steering) -> Step {
         let dt_s = dt_s.clamp(0.0, MAX_STEP_S);
         let kept = (-dt_s / INERTIA_S).exp();
-        let excess = self.velocity_m_s - wish.velocity_m_s;
-        self.velocity_m_s = wish.velocity_m_s + excess * kept;
-        let mut way_m = wish.velocity_m_s * dt_s + excess * (INERTIA_S * (1.0 - kept));
-        let all = self.turn_left_deg + wish.turn_deg;
+        let excess = self.velocity_m_s - steering.velocity_m_s;
+        self.velocity_m_s = steering.velocity_m_s + excess * kept;
+        let mut way_m = steering.velocity_m_s * dt_s + excess * (INERTIA_S * (1.0 - kept));
+        let all = self.turn_left_deg + steering.turn_deg;
         self.turn_left_deg = all * (-dt_s / HEAD_INERTIA_S).exp();
-        if wish.velocity_m_s == DVec3::ZERO && self.velocity_m_s.length() < REST_M_S {
+        if steering.velocity_m_s == DVec3::ZERO && self.velocity_m_s.length() < REST_M_S {
             // All the rest at once, so that the end is the same however many frames there were.
             way_m += self.velocity_m_s * INERTIA_S;
             self.velocity_m_s = DVec3::ZERO;
@@ -115,7 +115,7 @@ mod tests {
             let wanted = if frame < 2 * rate { DVec3::new(0.0, 12.0, -90.0) } else { DVec3::ZERO };
             // The same hand's way, in one frame or in many.
             let turn = if frame < rate { DVec2::new(30.0, -8.0) / f64::from(rate) } else { DVec2::ZERO };
-            let step = flight.advance(1.0 / f64::from(rate), &Wish { velocity_m_s: wanted, turn_deg: turn });
+            let step = flight.advance(1.0 / f64::from(rate), &Steering { velocity_m_s: wanted, turn_deg: turn });
             place += step.way_m;
             turned += step.turn_deg;
         }
@@ -127,7 +127,7 @@ mod tests {
     #[test]
     fn the_path_is_the_same_at_any_frame_rate() {
         let (place, turned) = fly(60);
-        // In closed form: what is lost while gathering speed is gained while gliding, so it is the wish times its time.
+        // In closed form: what is lost while gathering speed is gained while gliding, so it is the steering times its time.
         let wanted = DVec3::new(0.0, 24.0, -180.0);
         assert!(place.distance(wanted) < 1e-9, "{place}");
         assert!(turned.distance(DVec2::new(30.0, -8.0)) < 1e-9, "{turned}");
@@ -139,19 +139,19 @@ mod tests {
 
     #[test]
     fn it_never_overshoots_nor_jumps() {
-        let wish = Wish { velocity_m_s: DVec3::X * 60.0, ..Wish::default() };
+        let steering = Steering { velocity_m_s: DVec3::X * 60.0, ..Steering::default() };
         for dt_s in [0.0, 0.001, 0.25, 3600.0, -1.0] {
             let mut flight = Flight::default();
-            let step = flight.advance(dt_s, &wish);
+            let step = flight.advance(dt_s, &steering);
             assert!((0.0..=60.0).contains(&flight.velocity_m_s().x), "{dt_s}");
             assert!((0.0..=60.0 * MAX_STEP_S).contains(&step.way_m.x), "a stall counts as one step: {dt_s}");
         }
         let mut flight = Flight::default();
-        flight.advance(0.1, &Wish { turn_deg: DVec2::X, ..wish });
+        flight.advance(0.1, &Steering { turn_deg: DVec2::X, ..steering });
         assert!(flight.moves());
         flight.stop();
         assert!(!flight.moves());
-        assert_eq!(flight.advance(0.1, &Wish::default()), Step::default());
+        assert_eq!(flight.advance(0.1, &Steering::default()), Step::default());
     }
 
     #[test]

@@ -24,7 +24,7 @@ const STEP_M: f64 = 2.0;
 const MOST_STEPS: u32 = 64;
 
 /// Where the view is in one frame.
-pub(super) struct Place<'a> {
+pub(super) struct ViewAt<'a> {
     pub(super) camera: &'a Camera,
     /// On board of which path.
     pub(super) path: Option<&'a CameraPath>,
@@ -48,7 +48,7 @@ impl Memory {
     }
 
     /// What is to be drawn by `rules`.
-    pub(super) fn sight(&mut self, rules: &Rules, place: &Place<'_>, reading: &Reading<'_>) -> Sight {
+    pub(super) fn sight(&mut self, rules: &Rules, place: &ViewAt<'_>, reading: &Reading<'_>) -> Sight {
         let session = reading.session;
         self.go_by(rules);
         let history = match place.path {

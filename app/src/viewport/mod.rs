@@ -1,8 +1,8 @@
-//! The viewport: the picture, what is drawn over it, and the hands on it.
+//! The viewport: the picture, what is drawn over it, and what pointer and keys do in it.
 //!
 //! The camera here is the editor's own; a saved camera changes only when the user says so. The picture comes from
 //! [`picture`], which draws off the frame; boxes, marks and handles are painted over it at once. The primary button
-//! belongs to the tool, the middle one turns and moves the view ([`steer`]), the right one flies ([`pilot`]).
+//! belongs to the tool, the middle one turns and moves the view ([`steer`]), the right one flies ([`fly_control`]).
 
 mod bounds;
 mod box_tool;
@@ -10,6 +10,7 @@ mod cameras;
 mod canvas;
 mod faces;
 mod fly;
+mod fly_control;
 mod gizmo;
 mod hud;
 mod lens;
@@ -18,13 +19,12 @@ mod marks;
 mod marquee;
 mod memory;
 mod navigation;
+mod on_board;
 mod overlay;
 mod paths;
 mod pick;
 mod picture;
-mod pilot;
 mod plane;
-mod ride;
 mod screen;
 mod steer;
 mod targets;
@@ -40,17 +40,17 @@ use cloudwright_core::sight::Sight;
 use eframe::egui_wgpu::RenderState;
 use egui::{CursorIcon, Painter, Response, Sense, Ui, Vec2};
 use faces::Faces;
+use fly_control::FlyControl;
 use gizmo::GizmoHands;
 use glam::DVec3;
 use hud::Readout;
 use marks::Marks;
 use marquee::Marquee;
-use memory::Place;
+use memory::ViewAt;
 use navigation::Navigation;
+use on_board::{OnBoard, PathView};
 use paths::Paths;
 use pick::{Clicks, Picked};
-use pilot::Pilot;
-use ride::{Ride, Seat};
 use screen::Screen;
 use std::time::Duration;
 
@@ -60,8 +60,8 @@ const LONGEST: f32 = 4.0;
 /// How the scene is looked at.
 pub(crate) struct Viewport {
     navigation: Navigation,
-    pilot: Pilot,
-    ride: Option<Ride>,
+    fly_control: FlyControl,
+    on_board: Option<OnBoard>,
     canvas: Canvas,
     marks: Marks,
     paths: Paths,
@@ -84,8 +84,8 @@ impl Viewport {
     ) -> Self {
         let mut viewport = Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
-            pilot: Pilot::default(),
-            ride: None,
+            fly_control: FlyControl::default(),
+            on_board: None,
             canvas: Canvas::new(context, choice, device),
             marks: Marks::default(),
             paths: Paths::default(),
@@ -132,30 +132,30 @@ impl Viewport {
 
     /// The view goes along a path from now on, at the clock's time.
     pub(crate) fn board(&mut self, path: PathId) {
-        if self.ride.as_ref().is_some_and(|ride| ride.path == path) {
+        if self.on_board.as_ref().is_some_and(|on_board| on_board.path == path) {
             return;
         }
-        let before = self.ride.take().map_or_else(|| self.navigation.clone(), |ride| ride.before);
-        self.pilot.stop();
-        self.ride = Some(Ride::new(path, before));
+        let before = self.on_board.take().map_or_else(|| self.navigation.clone(), |on_board| on_board.before);
+        self.fly_control.stop();
+        self.on_board = Some(OnBoard::new(path, before));
     }
 
     /// Whether the view goes along a path.
     pub(crate) fn is_on_board(&self) -> bool {
-        self.ride.is_some()
+        self.on_board.is_some()
     }
 
     /// Ends a flight of any kind where it is.
     pub(crate) fn leave(&mut self) {
-        self.pilot.stop();
-        self.ride = None;
+        self.fly_control.stop();
+        self.on_board = None;
     }
 
     /// Ends the flight along a path; the view is the one from before.
     pub(crate) fn get_off(&mut self) {
-        if let Some(ride) = self.ride.take() {
+        if let Some(on_board) = self.on_board.take() {
             self.canvas.begin_anew();
-            self.navigation = ride.before;
+            self.navigation = on_board.before;
         }
     }
 
@@ -206,7 +206,7 @@ impl Viewport {
 
     /// Whether keys steer a flight and are no commands.
     pub(crate) fn has_keys(&self) -> bool {
-        self.pilot.has_keys()
+        self.fly_control.has_keys()
     }
 
     pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -217,26 +217,26 @@ impl Viewport {
         }
         let is_free = !self.gizmo.is_held() && !self.marquee.is_on();
         let may_fly = is_free && !self.holds_gesture();
-        let seat = self.take_seat(reading);
-        self.pilot.fly(&mut self.navigation, ui, &response, may_fly);
-        if is_free && !self.pilot.is_held() {
+        let path_view = self.take_path_view(reading);
+        self.fly_control.fly(&mut self.navigation, ui, &response, may_fly);
+        if is_free && !self.fly_control.is_held() {
             let screen = Screen::new(self.camera(), rect);
             steer::steer(&mut self.navigation, ui, &response, &screen, reading);
         }
-        let seat = self.keep_seat(seat);
+        let path_view = self.keep_path_view(path_view);
         let screen = Screen::new(self.camera(), rect);
         let painter = ui.painter_at(rect);
-        let sight = self.paint_picture(ui, &response, &painter, seat.as_ref(), reading);
+        let sight = self.paint_picture(ui, &response, &painter, path_view.as_ref(), reading);
         self.marks.paint(&painter, &screen, &sight, reading);
         wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
         cameras::paint(&painter, &screen, reading);
-        let ridden = self.ride.as_ref().map(|ride| ride.path);
+        let ridden = self.on_board.as_ref().map(|on_board| on_board.path);
         self.paths.paint(&painter, &screen, ridden, reading);
         self.work(ui, &response, &painter, &screen, reading, actions);
         level_handles::show(ui, rect, &screen.view, reading, actions);
-        if self.pilot.is_held() {
-            overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.pilot.speed_m_s()));
-        } else if seat.is_some() {
+        if self.fly_control.is_held() {
+            overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.fly_control.speed_m_s()));
+        } else if path_view.is_some() {
             overlay::on_board_hint(&painter, rect);
         } else {
             overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
@@ -244,30 +244,30 @@ impl Viewport {
         if reading.is_recording {
             overlay::recording(&painter, rect);
         }
-        let on_board = seat.map(|seat| Readout::of(&seat.camera, seat.speed_m_s));
-        if let Some(readout) = on_board.or_else(|| self.pilot.readout(&self.navigation)) {
+        let along_path = path_view.map(|path_view| Readout::of(&path_view.camera, path_view.speed_m_s));
+        if let Some(readout) = along_path.or_else(|| self.fly_control.readout(&self.navigation)) {
             readout.show(ui, rect, reading.units);
         }
         overlay::show(ui, rect, reading, actions);
     }
 
     /// Puts the view where the clock says, while it is on board.
-    fn take_seat(&mut self, reading: &Reading<'_>) -> Option<Seat> {
-        let seat = self.ride.as_mut().and_then(|ride| ride.seat(reading));
-        match &seat {
-            Some(seat) => self.navigation = Navigation::new(seat.camera.clone(), self.navigation.distance()),
-            None => self.ride = None,
+    fn take_path_view(&mut self, reading: &Reading<'_>) -> Option<PathView> {
+        let path_view = self.on_board.as_mut().and_then(|on_board| on_board.path_view(reading));
+        match &path_view {
+            Some(path_view) => self.navigation = Navigation::new(path_view.camera.clone(), self.navigation.distance()),
+            None => self.on_board = None,
         }
-        seat
+        path_view
     }
 
     /// A hand that has moved the view since ends the flight here.
-    fn keep_seat(&mut self, seat: Option<Seat>) -> Option<Seat> {
-        let seat = seat?;
-        if *self.navigation.camera() == seat.camera {
-            return Some(seat);
+    fn keep_path_view(&mut self, path_view: Option<PathView>) -> Option<PathView> {
+        let path_view = path_view?;
+        if *self.navigation.camera() == path_view.camera {
+            return Some(path_view);
         }
-        self.ride = None;
+        self.on_board = None;
         None
     }
 
@@ -277,16 +277,20 @@ impl Viewport {
         ui: &mut Ui,
         response: &Response,
         painter: &Painter,
-        seat: Option<&Seat>,
+        path_view: Option<&PathView>,
         reading: &Reading<'_>,
     ) -> Sight {
         let session = reading.session;
-        let by_hand = (response.dragged() && !self.marquee.is_on()) || self.pilot.is_flying();
+        let by_hand = (response.dragged() && !self.marquee.is_on()) || self.fly_control.is_flying();
         let quick = by_hand || session.document().is_open() || reading.time_play.runs() || reading.clock.moves();
         let pixels = (response.rect.size() * ui.pixels_per_point()).round().max(Vec2::ONE);
         self.aspect = (pixels.x / pixels.y).clamp(1.0 / LONGEST, LONGEST);
-        let path = self.ride.as_ref().filter(|_| seat.is_some()).and_then(|ride| session.scene().path(ride.path));
-        let place = Place { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
+        let path = self
+            .on_board
+            .as_ref()
+            .filter(|_| path_view.is_some())
+            .and_then(|on_board| session.scene().path(on_board.path));
+        let place = ViewAt { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
         self.canvas.show(ui, painter, response.rect, &place, quick, reading)
     }
 

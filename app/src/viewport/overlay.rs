@@ -1,4 +1,4 @@
-//! What stands in the viewport's corners: the tool's options, the cameras, and what the hands can do.
+//! What stands in the viewport's corners: the tool's options, the cameras, and what pointer and keys do.
 
 use crate::command::Command;
 use crate::state::{Action, Reading, Snap, Tool, ViewChange};
@@ -111,7 +111,7 @@ pub(super) fn hint(painter: &Painter, rect: Rect, tool: Tool, drawing: bool) {
     at_the_foot(painter, rect, &text);
 }
 
-/// What the hands do while they fly.
+/// What pointer and keys do while one flies.
 pub(super) fn flying_hint(painter: &Painter, rect: Rect, speed: &str) {
     let text = format!("W S A D: fly   E Q: up, down   wheel: {speed}   Shift: fast   Ctrl: slow   Esc: stop");
     at_the_foot(painter, rect, &text);

@@ -7,7 +7,7 @@ use cloudwright_core::scene::Camera;
 use egui::{Pos2, Rect, pos2, vec2};
 use glam::{DVec3, Vec3};
 
-/// A view in a rectangle of the window, in points: hands and outlines don't care how fine the picture is.
+/// A view in a rectangle of the window, in points: pointers and outlines don't care how fine the picture is.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Screen {
     pub(super) rect: Rect,

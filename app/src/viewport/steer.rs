@@ -1,7 +1,7 @@
-//! The hands that move the view: buttons, wheel and keys to [`Navigation`].
+//! How the view is moved: from buttons, wheel and keys to [`Navigation`].
 //!
 //! As level editors have it: the middle button (or Alt and the primary one) turns, and moves with Shift; the wheel goes
-//! nearer. The primary button alone belongs to the tools, the right one to the [pilot](super::pilot).
+//! nearer. The primary button alone belongs to the tools, the right one to the [fly_control](super::fly_control).
 
 use super::navigation::Navigation;
 use super::pick;
@@ -12,7 +12,7 @@ use egui::{EventFilter, Key, Modifiers, PointerButton, Response, Ui, vec2};
 /// Of turn an arrow key.
 const POINTS_PER_KEY: f32 = 20.0;
 
-/// Moves the view as the hands say.
+/// Moves the view as buttons, wheel and keys say.
 pub(super) fn steer(navigation: &mut Navigation, ui: &Ui, response: &Response, screen: &Screen, reading: &Reading<'_>) {
     let modifiers = ui.input(|input| input.modifiers);
     let by = |button| response.dragged_by(button);

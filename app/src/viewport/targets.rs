@@ -237,7 +237,7 @@ fn turned(heading_deg: f64, angle: f64) -> f64 {
     (heading + 180.0).rem_euclid(360.0) - 180.0
 }
 
-/// To the tenth of a millimetre: hands are not finer, and snapped numbers stay short.
+/// To the tenth of a millimetre: no hand is finer, and snapped numbers stay short.
 fn short(place: DVec3) -> DVec3 {
     (place * 1e4).round() / 1e4
 }

@@ -5,10 +5,10 @@ mod chosen_level;
 mod fields;
 mod handle;
 pub(crate) mod kept;
-mod preset_gallery;
+mod picture_choice;
 
 pub(crate) use chosen_level::{LEVEL_STEP, choose_level, chosen_level};
 pub(crate) use fields::{Fields, brightness_field, color_field, color32, heading, name_it, number_field};
 pub(crate) use handle::{Handle, Handled};
 pub(crate) use kept::Kept;
-pub use preset_gallery::{category_gallery, preset_gallery};
+pub use picture_choice::{category_choice, preset_choice};

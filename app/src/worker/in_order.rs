@@ -1,4 +1,4 @@
-//! Slow work off the window's frame, of which nothing may be left out: one job after the other, as a clerk does it.
+//! Slow work off the window's frame, of which nothing may be left out: one job after the other.
 
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread::{self, JoinHandle};
@@ -83,26 +83,26 @@ mod tests {
     fn all_jobs_are_done_in_order_even_after_the_end() {
         let done = Arc::new(AtomicUsize::new(0));
         let (tell, woken) = channel();
-        let mut clerk = InOrder::start("test", move || {
+        let mut jobs = InOrder::start("test", move || {
             let _ = tell.send(());
         });
         let (open, gate) = channel::<()>();
-        clerk.ask(move || {
+        jobs.ask(move || {
             let _ = gate.recv();
             0
         });
         for n in 1..10 {
             let done = Arc::clone(&done);
-            clerk.ask(move || {
+            jobs.ask(move || {
                 done.fetch_add(1, Ordering::SeqCst);
                 n
             });
         }
-        assert!(clerk.is_busy() && clerk.next_answer().is_none());
+        assert!(jobs.is_busy() && jobs.next_answer().is_none());
         open.send(()).expect("it waits");
         woken.recv().expect("an answer");
-        assert_eq!(clerk.next_answer(), Some(0));
-        drop(clerk);
+        assert_eq!(jobs.next_answer(), Some(0));
+        drop(jobs);
         assert_eq!(done.load(Ordering::SeqCst), 9);
     }
 }

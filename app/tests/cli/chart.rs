@@ -45,7 +45,7 @@ fn a_flight_is_measured_and_traps_lie_far_off() {
     let (words, _) = chart(&place, "-o out --methods truth,fast,half,view-plane,no-lock,eight-bits");
     let report = report(&place, "out");
     assert!(!report.unfinished && report.left_out.is_empty());
-    assert_eq!(report.view, Some(cloudwright::chart::report::View::Path("west".into())), "the first path");
+    assert_eq!(report.view, Some(cloudwright::chart::report::Viewpoint::Path("west".into())), "the first path");
     assert_eq!(error(&report, "truth"), 0.0);
     let fast = error(&report, "fast");
     // As in the tests of the table of methods: what is shipped is near, what is known to fail farther.

@@ -1,7 +1,7 @@
 //! Ready-made clouds to start from: one of each kind, and colour levels for them.
 //!
 //! A preset is a small scene file embedded in the program: one cloud model, one cloud of it, and a camera `main` that
-//! frames it. The whole scene is what `cloudwright new` writes and what a gallery draws; [`Preset::place`] takes its
+//! frames it. The whole scene is what `cloudwright new` writes and what pictures to choose from show; [`Preset::place`] takes its
 //! model alone into an open scene. The files are made by tests/src/authoring/presets; a test opens each.
 
 mod levels;

@@ -4,7 +4,7 @@
 //! hangs on what, deletion, the outline and the way from a problem to its thing. What a kind says of itself beyond its
 //! row is [`InScene`], in the file of its type. So a new kind is a file, a list in [`Scene`] and a row here.
 
-/// Hands the rows to the macro `$take`. What others hang on comes before them.
+/// Gives the rows to the macro `$take`. What others hang on comes before them.
 macro_rules! kinds {
     ($take:ident) => {
         $take! {

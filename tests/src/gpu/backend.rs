@@ -1,7 +1,7 @@
 //! The backends that the tests draw on, each opened once. A backend that this machine lacks gives *ignored* tests, or
 //! failed ones where CLOUDWRIGHT_REQUIRE_GPU=1 says that it must be there.
 
-use cloudwright_render::{AdapterChoice, Gpu, Renderer, wgpu};
+use cloudwright_render::{AdapterChoice, Gpu, GpuRenderer, wgpu};
 use std::sync::{Arc, Mutex};
 
 /// A backend with its renderer, if this machine has it.
@@ -12,7 +12,7 @@ pub struct Backend {
     /// How to open another device on it.
     pub choice: AdapterChoice,
     /// The device and its renderer, or why there is none.
-    pub opened: Result<Arc<(Gpu, Mutex<Renderer>)>, String>,
+    pub opened: Result<Arc<(Gpu, Mutex<GpuRenderer>)>, String>,
 }
 
 impl Backend {
@@ -27,9 +27,9 @@ impl Backend {
     }
 }
 
-fn open(choice: &AdapterChoice) -> Result<Arc<(Gpu, Mutex<Renderer>)>, String> {
+fn open(choice: &AdapterChoice) -> Result<Arc<(Gpu, Mutex<GpuRenderer>)>, String> {
     let gpu = Gpu::headless(choice).map_err(|error| error.to_string())?;
-    let renderer = Renderer::new(&gpu).map_err(|error| error.to_string())?;
+    let renderer = GpuRenderer::new(&gpu).map_err(|error| error.to_string())?;
     Ok(Arc::new((gpu, Mutex::new(renderer))))
 }
 

@@ -5,7 +5,7 @@
 
 use cloudwright::chart::Family::{self, Failing, Other, Shipped, Truth};
 use cloudwright::chart::html::{DEFAULT_TOLERANCE, Look, Page};
-use cloudwright::chart::report::{Cost, Counts, Error, LeftOut, Method, Report, Stability, View};
+use cloudwright::chart::report::{Cost, Error, FrameCounts, LeftOut, MethodFigures, Report, Stability, Viewpoint};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::DrawSprite;
 use cloudwright_core::frame::Frame;
@@ -109,7 +109,7 @@ pub fn report() -> Report {
         let setting = |name: &str, value: &str| (name.to_owned(), value.to_owned());
         let gpu = example.levels < 256 || example.name == "gpu";
         let sprites = if example.name == "half the sprites" { 3382 } else { 6764 };
-        Method {
+        MethodFigures {
             name: example.name.into(),
             settings: [
                 setting("renderer", if gpu { "GPU" } else { "CPU" }),
@@ -121,7 +121,7 @@ pub fn report() -> Report {
                 frame_ms: Some(frame_ms),
                 cpu_ms: Some(if gpu { 1.9 } else { frame_ms * 1.86 }),
                 gpu_ms: gpu.then_some(frame_ms * 0.8),
-                counts: Counts {
+                counts: FrameCounts {
                     sprites,
                     corners_shaded: 4 * sprites,
                     fragments: Some(614.2 * sprites as f64),
@@ -151,7 +151,7 @@ pub fn report() -> Report {
         scene: "cumulonimbus_dusk".into(),
         size: [640, 360],
         adapter: "llvmpipe (LLVM 15.0.6, 256 bits)".into(),
-        view: Some(View::Path("fly-through".into())),
+        view: Some(Viewpoint::Path("fly-through".into())),
         methods: EXAMPLES.iter().map(method).collect(),
         left_out: vec![LeftOut {
             name: "dual-source".into(),

@@ -2,7 +2,7 @@
 
 use super::example;
 use cloudwright::chart::front::{Beaten, Gain, beaten, cheapest_within, front};
-use cloudwright::chart::report::Method;
+use cloudwright::chart::report::MethodFigures;
 use proptest::prelude::*;
 
 /// The definition, word by word.
@@ -66,7 +66,7 @@ fn beaten_by_whom() {
 #[test]
 fn cheapest_that_keeps_a_tolerance() {
     let mut methods = example::report().methods;
-    let check = |methods: &[Method], tolerance, want: Option<&str>| {
+    let check = |methods: &[MethodFigures], tolerance, want: Option<&str>| {
         assert_eq!(cheapest_within(methods, tolerance).map(|method| method.name.as_str()), want, "{tolerance}");
     };
     for (tolerance, want) in [

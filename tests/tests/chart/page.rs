@@ -7,7 +7,7 @@ use super::example::{self, Drawn, EXAMPLES, page};
 use super::markup::{count, elements};
 use cloudwright::chart::Family;
 use cloudwright::chart::html::{Look, Page, write};
-use cloudwright::chart::report::{LeftOut, Method, Report, View};
+use cloudwright::chart::report::{LeftOut, MethodFigures, Report, Viewpoint};
 use cloudwright::chart::svg::{Mark, Plot, Shape};
 use cloudwright_core::image::Picture;
 use std::path::PathBuf;
@@ -68,7 +68,7 @@ fn example_page() {
 #[test]
 fn names_are_text() {
     let bad = "</title><script>alert('1')</script>\"'&\u{0}";
-    let method = Method {
+    let method = MethodFigures {
         name: bad.into(),
         settings: [(bad.into(), bad.into())].into(),
         ..example::report().methods[1].clone()
@@ -76,7 +76,7 @@ fn names_are_text() {
     let report = Report {
         scene: bad.into(),
         adapter: bad.into(),
-        view: Some(View::Camera(bad.into())),
+        view: Some(Viewpoint::Camera(bad.into())),
         methods: vec![method],
         left_out: vec![LeftOut { name: bad.into(), reason: bad.into() }],
         ..example::report()
@@ -95,7 +95,7 @@ fn names_are_text() {
 /// Reports that say little, and pictures of odd sizes.
 #[test]
 fn poor_reports() {
-    let unmeasured = Method { name: "unmeasured".into(), ..Method::default() };
+    let unmeasured = MethodFigures { name: "unmeasured".into(), ..MethodFigures::default() };
     let without_path = |mut report: Report| {
         report.methods.iter_mut().for_each(|method| method.stability = None);
         report

@@ -1,7 +1,7 @@
 //! `chart.json` there and back, and what is said of one that is broken.
 
 use super::example;
-use cloudwright::chart::report::{Method, Report, View, read, write};
+use cloudwright::chart::report::{MethodFigures, Report, Viewpoint, read, write};
 
 #[test]
 fn comes_back_as_it_went() {
@@ -11,8 +11,8 @@ fn comes_back_as_it_went() {
         full.methods.iter().filter(|method| method.on_front).map(|method| method.name.as_str()).collect();
     // By the figures of the example: each is truer than all that is cheaper, but for 8-bit blending, known to fail.
     assert_eq!(on_front, ["truth", "shipped fast", "plain", "gpu"]);
-    let camera = Report { view: Some(View::Camera("“a”\n<b>".into())), unfinished: true, ..Report::default() };
-    let method = Method { name: "nothing known".into(), ..Method::default() };
+    let camera = Report { view: Some(Viewpoint::Camera("“a”\n<b>".into())), unfinished: true, ..Report::default() };
+    let method = MethodFigures { name: "nothing known".into(), ..MethodFigures::default() };
     let poor = Report { methods: vec![method], ..Report::default() };
     for report in [full, camera, poor, Report::default()] {
         let text = write(&report).expect("JSON");

@@ -1,4 +1,4 @@
-//! Selection both ways, and the hands on the viewport. None of it changes the scene.
+//! Selection both ways, and what is done in the viewport. None of it changes the scene.
 
 use crate::Window;
 use cloudwright::state::Item;

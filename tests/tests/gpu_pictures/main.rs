@@ -15,7 +15,7 @@ use cloudwright_core::raster::plain;
 use cloudwright_core::shading::Veil;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_render::{AdapterChoice, Gpu, RenderError, Renderer};
+use cloudwright_render::{AdapterChoice, Gpu, GpuRenderer, RenderError};
 use cloudwright_tests::gpu::{Allowance, Backend, Case, cases, required};
 use cloudwright_tests::part_edits::{PART_EDITS, heaps};
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
@@ -35,7 +35,7 @@ const PICTURE_LARGEST: u8 = 3;
 const PICTURE_MORE_THAN_ONE: f64 = 0.002;
 
 type Outcome = Result<(), Failed>;
-type Check = fn(&Gpu, &mut Renderer, &Case) -> Outcome;
+type Check = fn(&Gpu, &mut GpuRenderer, &Case) -> Outcome;
 
 fn main() -> ExitCode {
     let mut arguments = Arguments::from_args();
@@ -52,7 +52,7 @@ fn main() -> ExitCode {
             }
         }
         for (name, check) in [
-            ("a_scene_far_away_is_as_sharp", far_away as fn(&Gpu, &mut Renderer) -> Outcome),
+            ("a_scene_far_away_is_as_sharp", far_away as fn(&Gpu, &mut GpuRenderer) -> Outcome),
             ("a_picture_too_large_is_an_error", too_large),
             ("the_sprites_pass_can_be_timed", timed),
             ("only_what_changed_is_uploaded", uploads),
@@ -70,7 +70,7 @@ fn main() -> ExitCode {
     libtest_mimic::run(&arguments, trials).exit_code()
 }
 
-fn trial(backend: &Backend, name: String, check: impl Fn(&Gpu, &mut Renderer) -> Outcome + Send + 'static) -> Trial {
+fn trial(backend: &Backend, name: String, check: impl Fn(&Gpu, &mut GpuRenderer) -> Outcome + Send + 'static) -> Trial {
     let opened = backend.opened.as_ref().map(Arc::clone).map_err(Clone::clone);
     Trial::ignorable_test(name, move || match &opened {
         Ok(opened) => check(&opened.0, &mut opened.1.lock().unwrap_or_else(PoisonError::into_inner))
@@ -80,7 +80,7 @@ fn trial(backend: &Backend, name: String, check: impl Fn(&Gpu, &mut Renderer) ->
     })
 }
 
-fn clouds(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
+fn clouds(gpu: &Gpu, renderer: &mut GpuRenderer, case: &Case) -> Outcome {
     case.with_frame(|frame| {
         let worst = Allowance::new(frame).worst(&renderer.clouds(gpu, frame)?);
         ensure(
@@ -91,7 +91,7 @@ fn clouds(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
 }
 
 /// Sky, sun and ground alone, in linear light.
-fn background(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
+fn background(gpu: &Gpu, renderer: &mut GpuRenderer, case: &Case) -> Outcome {
     let mut case = case.clone();
     case.scene.clouds.clear();
     case.with_frame(|frame| {
@@ -107,7 +107,7 @@ fn background(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
     })
 }
 
-fn picture(gpu: &Gpu, renderer: &mut Renderer, case: &Case) -> Outcome {
+fn picture(gpu: &Gpu, renderer: &mut GpuRenderer, case: &Case) -> Outcome {
     case.with_frame(|frame| {
         let (want, got) = (plain::picture(frame), renderer.picture(gpu, frame)?);
         ensure((want.width, want.height) == (got.width, got.height), "another size")?;
@@ -139,7 +139,7 @@ fn place(frame: &Frame<'_>, i: usize) -> [u32; 2] {
 }
 
 /// Not a pixel changes when scene and camera move 1,000 km (whole periods of the ground).
-fn far_away(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn far_away(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let mut pictures = Vec::new();
     for case in cases().iter().filter(|case| ["noon_beside", "moved_1000_km"].contains(&case.name)) {
         pictures.push(case.with_frame(|frame| renderer.picture(gpu, frame))?);
@@ -147,7 +147,7 @@ fn far_away(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     ensure(pictures.len() == 2 && pictures[0] == pictures[1], "the moved scene looks different")
 }
 
-fn too_large(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn too_large(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
         let mut large = frame.clone();
@@ -163,7 +163,7 @@ fn too_large(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     })
 }
 
-fn timed(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn timed(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     let time = case.with_frame(|frame| renderer.sprites_pass_time(gpu, frame))?;
     ensure(!time.duration.is_zero() && time.duration.as_secs() < 60, &format!("{time:?}"))
@@ -171,7 +171,7 @@ fn timed(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
 
 /// A camera that moves uploads twelve bytes a sprite in view, 32 a cloud and 32 a sprite near the eye; an edit uploads the
 /// clouds.
-fn uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn uploads(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
         let list = &frame.list;
@@ -185,7 +185,7 @@ fn uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
 }
 
 /// After each edit: the bytes that core counts, and the picture that a renderer draws which has seen nothing else.
-fn part_uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn part_uploads(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let (scene, atlas) = (heaps(), Atlas::built_in());
     for part in PART_EDITS {
         let mut document = Document::new(scene.clone());
@@ -201,7 +201,7 @@ fn part_uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
         let want = Counts::of(&new).bytes_uploaded + bytes_of_change(before.clouds(), after.clouds());
         let got = renderer.bytes_uploaded();
         ensure(got == want, &format!("{}: {got} bytes, not {want}", part.name))?;
-        let alone = Renderer::new(gpu)?.picture(gpu, &new)?;
+        let alone = GpuRenderer::new(gpu)?.picture(gpu, &new)?;
         ensure(picture == alone, &format!("{}: another picture than one drawn anew", part.name))?;
         let stays = renderer.picture(gpu, &old)? == picture;
         let looks_alike = ["name"].contains(&part.name);
@@ -211,7 +211,7 @@ fn part_uploads(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
 }
 
 /// Hiding is the list's affair: nothing is uploaded anew for it.
-fn hidden(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn hidden(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
         renderer.draw(gpu, frame)?;
@@ -226,7 +226,7 @@ fn hidden(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
 
 fn lost(choice: &AdapterChoice) -> Outcome {
     let gpu = Gpu::headless(choice)?;
-    let mut renderer = Renderer::new(&gpu)?;
+    let mut renderer = GpuRenderer::new(&gpu)?;
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
         renderer.picture(&gpu, frame)?;

@@ -9,14 +9,14 @@ use cloudwright_core::model_in_view::{Meshes, ModelInView};
 use cloudwright_core::model_mesh::{ModelMesh, ModelVertex};
 use cloudwright_core::raster::prepare;
 use cloudwright_core::sky::haze_share;
-use cloudwright_render::{Gpu, Renderer};
+use cloudwright_render::{Gpu, GpuRenderer};
 use cloudwright_tests::gpu::cases;
 use glam::{Quat, Vec3};
 use std::f32::consts::FRAC_PI_2;
 use std::sync::Arc;
 
 /// The name of each test and what it checks.
-pub const TESTS: [(&str, fn(&Gpu, &mut Renderer) -> Outcome); 4] = [
+pub const TESTS: [(&str, fn(&Gpu, &mut GpuRenderer) -> Outcome); 4] = [
     ("a_model_before_within_and_behind_clouds", among_clouds),
     ("the_nearer_model_hides_the_farther", nearer_hides),
     ("clouds_alone_know_no_models", clouds_alone),
@@ -71,7 +71,7 @@ fn level_north(check: impl FnOnce(&Frame<'_>) -> Outcome) -> Outcome {
     case.with_frame(check)
 }
 
-fn among_clouds(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn among_clouds(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
         for depth_m in [400.0, 1750.0, 3000.0, 9000.0] {
             let board = Board { depth_m, half_side_m: 0.15 * depth_m, ..BOARD };
@@ -128,7 +128,7 @@ fn ray(frame: &Frame<'_>, i: usize) -> Vec3 {
 }
 
 /// In either order, and a metre apart at a kilometre.
-fn nearer_hides(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn nearer_hides(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
         let near = Board { depth_m: 999.0, half_side_m: 100.0, color: Rgb::new(0.1, 0.7, 0.2) };
         let far = Board { depth_m: 1000.0, half_side_m: 200.0, color: Rgb::new(0.8, 0.1, 0.1) };
@@ -151,7 +151,7 @@ fn nearer_hides(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
     })
 }
 
-fn clouds_alone(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn clouds_alone(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
         let board = Board { depth_m: 500.0, half_side_m: 300.0, ..BOARD };
         let with_board = Frame { models: vec![board.model()], ..frame.clone() };
@@ -162,7 +162,7 @@ fn clouds_alone(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
 }
 
 /// The eye in the pilot's seat: triangles before, behind and through the near plane.
-fn around_the_eye(gpu: &Gpu, renderer: &mut Renderer) -> Outcome {
+fn around_the_eye(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
         let from_eye = Vec3::new(0.3, -0.35, 0.1);
         let aircraft = ModelInView { mesh: Meshes::built_in(), from_eye, turn: Quat::IDENTITY, scale: 1.0 };

@@ -2,7 +2,7 @@
 
 use super::{Look, Page, picture, reading};
 use crate::chart::columns::filled;
-use crate::chart::report::Method;
+use crate::chart::report::MethodFigures;
 use crate::chart::{Family, class, heat, text};
 use std::fmt::Write;
 
@@ -15,14 +15,14 @@ pub(super) fn all(page: &Page<'_>, out: &mut String) -> Result<(), png::Encoding
         return Ok(());
     }
     let brightest = brightest(page.looks);
-    out.push_str("<section>\n<h2>Method by method, from true to wrong</h2>\n");
+    out.push_str("<section>\n<h2>MethodFigures by method, from true to wrong</h2>\n");
     if page.looks.iter().any(|look| !look.errors.is_empty()) {
         scale(brightest, out);
     }
-    let mut methods: Vec<(usize, &Method)> = page.report.methods.iter().enumerate().collect();
+    let mut methods: Vec<(usize, &MethodFigures)> = page.report.methods.iter().enumerate().collect();
     // What has no error known comes last.
     methods.sort_by(|(_, a), (_, b)| {
-        let error = |method: &Method| method.error.flip_mean.unwrap_or(f64::INFINITY);
+        let error = |method: &MethodFigures| method.error.flip_mean.unwrap_or(f64::INFINITY);
         error(a).total_cmp(&error(b))
     });
     methods.into_iter().try_for_each(|(place, method)| card(page, place, method, brightest, out))?;
@@ -55,7 +55,7 @@ fn scale(brightest: f32, out: &mut String) {
 fn card(
     page: &Page<'_>,
     place: usize,
-    method: &Method,
+    method: &MethodFigures,
     brightest: f32,
     out: &mut String,
 ) -> Result<(), png::EncodingError> {
@@ -86,7 +86,7 @@ fn card(
 
 fn pictures(
     look: Option<&Look<'_>>,
-    method: &Method,
+    method: &MethodFigures,
     brightest: f32,
     out: &mut String,
 ) -> Result<(), png::EncodingError> {
@@ -111,7 +111,7 @@ fn pictures(
     Ok(())
 }
 
-fn figures(page: &Page<'_>, method: &Method, out: &mut String) {
+fn figures(page: &Page<'_>, method: &MethodFigures, out: &mut String) {
     out.push_str("<dl class=\"figures\">\n");
     for column in filled(&page.report.methods) {
         let Some(name) = column.in_card else { continue };

@@ -8,7 +8,7 @@ mod card;
 mod reading;
 mod table;
 
-use super::report::{Method, Report, View};
+use super::report::{MethodFigures, Report, Viewpoint};
 use super::svg::{self, Mark, Plot, Shape};
 use super::{Family, text};
 use crate::picture_png;
@@ -64,11 +64,11 @@ pub fn write(page: &Page<'_>) -> Result<String, png::EncodingError> {
 }
 
 impl Page<'_> {
-    fn look(&self, method: &Method) -> Option<&Look<'_>> {
+    fn look(&self, method: &MethodFigures) -> Option<&Look<'_>> {
         self.looks.iter().find(|look| look.name == method.name)
     }
 
-    fn family(&self, method: &Method) -> Family {
+    fn family(&self, method: &MethodFigures) -> Family {
         self.look(method).map_or(Family::Other, |look| look.family)
     }
 
@@ -82,8 +82,8 @@ fn head(page: &Page<'_>, out: &mut String) -> Result<(), png::EncodingError> {
     let Report { scene, size: [width, height], adapter, view, unfinished, .. } = page.report;
     let scene = text::escape(scene);
     let view = match view {
-        Some(View::Camera(name)) => format!(" · camera “{}”", text::escape(name)),
-        Some(View::Path(name)) => format!(" · along the path “{}”", text::escape(name)),
+        Some(Viewpoint::Camera(name)) => format!(" · camera “{}”", text::escape(name)),
+        Some(Viewpoint::Path(name)) => format!(" · along the path “{}”", text::escape(name)),
         None => String::new(),
     };
     let _ = write!(
@@ -138,7 +138,7 @@ fn picture(picture: &Picture, alt: &str, attributes: &str, out: &mut String) -> 
 }
 
 fn charts(page: &Page<'_>, out: &mut String) {
-    let error = |method: &Method| method.cost_and_error();
+    let error = |method: &MethodFigures| method.cost_and_error();
     let plot = Plot {
         title: "Frame time against error for every method; both axes are logarithmic",
         cost_title: "frame time, ms",
@@ -148,7 +148,7 @@ fn charts(page: &Page<'_>, out: &mut String) {
         tolerance: Some(page.tolerance),
     };
     section("Cost against error", &reading::of_errors(page), &plot, out);
-    let excess = |method: &Method| method.cost_and_excess();
+    let excess = |method: &MethodFigures| method.cost_and_excess();
     let plot = Plot {
         title: "Frame time against flicker for every method; both axes are logarithmic",
         error_title: "excess change, linear light",
@@ -160,8 +160,8 @@ fn charts(page: &Page<'_>, out: &mut String) {
     section("Stability", &reading::of_stability(page), &plot, out);
 }
 
-fn marks<'a>(page: &'a Page<'_>, at: impl Fn(&Method) -> Option<[f64; 2]>) -> Vec<Mark<'a>> {
-    let mark = |(place, method): (usize, &'a Method)| {
+fn marks<'a>(page: &'a Page<'_>, at: impl Fn(&MethodFigures) -> Option<[f64; 2]>) -> Vec<Mark<'a>> {
+    let mark = |(place, method): (usize, &'a MethodFigures)| {
         let link = format!("#{}", Page::card_id(place));
         Some(Mark { name: &method.name, family: page.family(method), at: at(method)?, link })
     };

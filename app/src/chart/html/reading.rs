@@ -2,7 +2,7 @@
 
 use super::Page;
 use crate::chart::front::{self, Beaten, Gain};
-use crate::chart::report::{Method, Stability};
+use crate::chart::report::{MethodFigures, Stability};
 use crate::chart::{Family, text};
 
 /// A method that another one beats by this factor lies far from the front.
@@ -15,7 +15,7 @@ pub(super) fn paragraph(page: &Page<'_>) -> String {
     [cheapest(page), shipped(page), far_from_front(page)].into_iter().flatten().collect::<Vec<_>>().join(" ")
 }
 
-fn name(method: &Method) -> String {
+fn name(method: &MethodFigures) -> String {
     format!("<strong>{}</strong>", text::escape(&method.name))
 }
 
@@ -43,7 +43,7 @@ fn shipped(page: &Page<'_>) -> Option<String> {
     } else {
         format!("Shipped is {}: {}", name(shipped), figures([cost, error]))
     };
-    if let Some([truth, _]) = of(Family::Truth).and_then(Method::cost_and_error)
+    if let Some([truth, _]) = of(Family::Truth).and_then(MethodFigures::cost_and_error)
         && truth > cost
         && cost > 0.0
     {
@@ -53,11 +53,11 @@ fn shipped(page: &Page<'_>) -> Option<String> {
 }
 
 fn far_from_front(page: &Page<'_>) -> Option<String> {
-    let mut far: Vec<(&Method, Beaten)> =
+    let mut far: Vec<(&MethodFigures, Beaten)> =
         page.report.methods.iter().enumerate().filter_map(|(i, method)| Some((method, beaten(page, i)?))).collect();
     far.retain(|(_, beaten)| beaten.factor >= FAR);
     far.sort_by(|(_, a), (_, b)| b.factor.total_cmp(&a.factor));
-    let one = |(method, beaten): &(&Method, Beaten)| {
+    let one = |(method, beaten): &(&MethodFigures, Beaten)| {
         format!("{} ({} {})", name(method), better(page, beaten), gained(beaten))
     };
     let named: Vec<String> = far.iter().take(MOST_NAMED).map(one).collect();
@@ -73,7 +73,8 @@ fn far_from_front(page: &Page<'_>) -> Option<String> {
 fn beaten(page: &Page<'_>, place: usize) -> Option<Beaten> {
     let methods = page.report.methods.iter().enumerate();
     // What is known to fail may be beaten, but beats none.
-    let point = |(i, method): (usize, &Method)| if i == place { method.cost_and_error() } else { method.choice() };
+    let point =
+        |(i, method): (usize, &MethodFigures)| if i == place { method.cost_and_error() } else { method.choice() };
     let points: Vec<_> = methods.map(point).collect();
     front::beaten(&points, place)
 }
@@ -112,7 +113,8 @@ pub(super) fn of_errors(page: &Page<'_>) -> String {
 
 /// Under the heading of the chart of stability.
 pub(super) fn of_stability(page: &Page<'_>) -> String {
-    let mean = |method: &Method| method.stability.as_ref().and_then(|Stability { excess_mean, .. }| *excess_mean);
+    let mean =
+        |method: &MethodFigures| method.stability.as_ref().and_then(|Stability { excess_mean, .. }| *excess_mean);
     let measured = page.report.methods.iter().filter_map(|method| Some((method, mean(method)?)));
     let Some((worst, most)) = measured.max_by(|a, b| a.1.total_cmp(&b.1)) else {
         return "Not measured: stability needs a path to fly along (<code>--path NAME</code>).".into();

@@ -3,7 +3,7 @@
 use super::frame;
 use super::shape::shape;
 use super::{Mark, Sheet, text_width};
-use crate::chart::labels::{self, Placed, Rect, Wanted};
+use crate::chart::labels::{self, PlacedLabel, Rect, Wanted};
 use crate::chart::{Family, class, text};
 use std::fmt::Write;
 
@@ -23,7 +23,7 @@ pub(super) fn draw(sheet: &Sheet<'_>, out: &mut String) {
         Family::Other => 3,
     });
     let placed = place_names(sheet, &marks, &front);
-    for (mark, Placed { leader, .. }) in marks.iter().zip(&placed) {
+    for (mark, PlacedLabel { leader, .. }) in marks.iter().zip(&placed) {
         let ([x1, y1], Some([x2, y2])) = (sheet.at(mark.at), *leader) else { continue };
         let _ = writeln!(out, r#"<line class="leader" x1="{x1:.1}" y1="{y1:.1}" x2="{x2:.1}" y2="{y2:.1}"/>"#);
     }
@@ -42,7 +42,7 @@ fn draw_front(sheet: &Sheet<'_>, corners: &[[f64; 2]], out: &mut String) {
     let _ = writeln!(out, r#"<path class="front" d="M {path}"/>"#);
 }
 
-fn place_names(sheet: &Sheet<'_>, marks: &[&Mark<'_>], front: &[[f64; 2]]) -> Vec<Placed> {
+fn place_names(sheet: &Sheet<'_>, marks: &[&Mark<'_>], front: &[[f64; 2]]) -> Vec<PlacedLabel> {
     let size = sheet.text;
     let wanted: Vec<Wanted> = marks
         .iter()
@@ -61,7 +61,7 @@ fn place_names(sheet: &Sheet<'_>, marks: &[&Mark<'_>], front: &[[f64; 2]]) -> Ve
     labels::place(&wanted, sheet.field, &taken, &lines)
 }
 
-fn draw_mark(sheet: &Sheet<'_>, mark: &Mark<'_>, placed: &Placed, out: &mut String) {
+fn draw_mark(sheet: &Sheet<'_>, mark: &Mark<'_>, placed: &PlacedLabel, out: &mut String) {
     let linked = !mark.link.is_empty();
     if linked {
         let _ = writeln!(out, r#"<a href="{}">"#, text::escape(&mark.link));

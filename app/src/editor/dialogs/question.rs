@@ -1,4 +1,4 @@
-//! A question with two or three answers; the last answer, and Esc, change nothing.
+//! A question with two or three answers. Esc gives the one that loses nothing.
 
 use super::{buttons, window};
 use crate::theme;

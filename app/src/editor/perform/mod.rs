@@ -86,7 +86,7 @@ impl Editor {
         let selection = &self.view.selection;
         let (clouds, boxes) = (selection.clouds().count(), selection.boxes().count());
         match command {
-            Command::OpenRecent => !self.desk.settings().recent().is_empty(),
+            Command::OpenRecent => !self.disk.settings().recent().is_empty(),
             Command::Revert => self.session.path().is_some() && document.is_modified(),
             Command::Undo => document.undo_name().is_some() || document.is_open(),
             Command::KeepHour | Command::SceneHour => self.time_play.time_h().is_some(),

@@ -1,6 +1,6 @@
 //! A method's mark, what is known of it, and what a click on it does.
 
-use crate::chart::report::Method;
+use crate::chart::report::MethodFigures;
 use crate::chart::text::figure;
 use crate::state::{Action, Reading, ViewChange};
 use crate::theme;
@@ -10,7 +10,7 @@ use egui::Ui;
 use egui_plot::MarkerShape;
 
 /// Its family; another program's methods are others.
-pub(super) fn family(method: &Method) -> Family {
+pub(super) fn family(method: &MethodFigures) -> Family {
     method::named(&method.name).map_or(Family::Other, |method| method.family)
 }
 
@@ -24,19 +24,19 @@ pub(super) fn shape(family: Family) -> MarkerShape {
 }
 
 /// Whether the viewport is drawn by it.
-pub(super) fn is_chosen(method: &Method, reading: &Reading<'_>) -> bool {
+pub(super) fn is_chosen(method: &MethodFigures, reading: &Reading<'_>) -> bool {
     reading.view.method.is_some_and(|chosen| chosen.name == method.name)
 }
 
 /// Has the viewport drawn by it; if it is already, by the window's own way, which is the device's where it has one.
-pub(super) fn choose_method(method: &Method, reading: &Reading<'_>) -> Action {
+pub(super) fn choose_method(method: &MethodFigures, reading: &Reading<'_>) -> Action {
     let is_new = |known: &&method::Method| known.rules.rasterizer != Rasterizer::Gpu && !is_chosen(method, reading);
     let method = method::named(&method.name).filter(is_new);
     Action::View(ViewChange::Method(method))
 }
 
 /// What it does, and its figures: for a tooltip.
-pub(super) fn card(ui: &mut Ui, method: &Method) {
+pub(super) fn card(ui: &mut Ui, method: &MethodFigures) {
     ui.set_max_width(theme::DIALOG_WIDTH);
     ui.strong(&method.name);
     if let Some(known) = method::named(&method.name) {

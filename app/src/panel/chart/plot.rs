@@ -7,7 +7,7 @@ use super::figures::{card, choose_method, family, is_chosen, shape};
 use crate::chart::front;
 use crate::chart::labels::{self, Rect, Wanted};
 use crate::chart::log_axis::LogAxis;
-use crate::chart::report::{Method, Report};
+use crate::chart::report::{MethodFigures, Report};
 use crate::state::{Action, ChartChange, Reading};
 use crate::theme;
 use crate::widget::name_it;
@@ -32,7 +32,7 @@ const REACH: f32 = 14.0;
 
 /// A method with its place on the sheet.
 struct Mark<'a> {
-    method: &'a Method,
+    method: &'a MethodFigures,
     family: Family,
     at: [f64; 2],
     is_named: bool,
@@ -51,8 +51,8 @@ pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions:
     if flickers {
         choose_error(ui, by_flicker, actions);
     }
-    let point = |method: &Method| if by_flicker { method.cost_and_excess() } else { method.cost_and_error() };
-    let known: Vec<(&Method, [f64; 2])> =
+    let point = |method: &MethodFigures| if by_flicker { method.cost_and_excess() } else { method.cost_and_error() };
+    let known: Vec<(&MethodFigures, [f64; 2])> =
         report.methods.iter().filter_map(|method| Some((method, point(method)?))).collect();
     if known.is_empty() {
         let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), HEIGHT), Sense::hover());

@@ -1,7 +1,7 @@
 //! The figures, from cheap to dear; a click on a name has the viewport draw by that method.
 
 use super::figures::{card, choose_method, family, is_chosen};
-use crate::chart::report::{Method, Report};
+use crate::chart::report::{MethodFigures, Report};
 use crate::chart::text::figure;
 use crate::state::{Action, Reading};
 use crate::theme;
@@ -9,12 +9,12 @@ use egui::{Align, Grid, Layout, RichText, Ui, vec2};
 
 pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let flickers = report.methods.iter().any(|method| method.stability.is_some());
-    let mut methods: Vec<&Method> = report.methods.iter().collect();
-    let cost = |method: &Method| method.cost.frame_ms.unwrap_or(f64::INFINITY);
+    let mut methods: Vec<&MethodFigures> = report.methods.iter().collect();
+    let cost = |method: &MethodFigures| method.cost.frame_ms.unwrap_or(f64::INFINITY);
     methods.sort_by(|a, b| cost(a).total_cmp(&cost(b)));
     let columns = if flickers { 4 } else { 3 };
     Grid::new("figures").num_columns(columns).striped(true).show(ui, |ui| {
-        ui.weak("Method");
+        ui.weak("MethodFigures");
         let heads = [("ms", "Of a picture."), ("FLIP", "Mean difference from the truth, as an eye sees it: 0 to 1.")];
         let flicker = ("flicker", "How much more a pixel changes from frame to frame than the truth's does.");
         for (name, help) in heads.into_iter().chain(flickers.then_some(flicker)) {

@@ -1,7 +1,7 @@
 //! What a footprint is drawn on: the level plane at the base altitude, where the pointer finds it at a fair distance; else
 //! an upright one through the point that the view looks at, on which the hand says how wide the box is.
 //!
-//! So a box can be drawn anywhere in the picture, also by a pilot who flies at the clouds' own height and sees their base
+//! So a box can be drawn anywhere in the picture, also by who flies at the clouds' own height and sees their base
 //! as a line. An upright footprint is as deep as a share of its width, and lies at the base altitude all the same.
 
 use super::drawn::Drawn;

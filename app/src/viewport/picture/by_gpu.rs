@@ -4,7 +4,7 @@ use crate::renderer::gpu_name;
 use crate::state::Session;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::sight::Sight;
-use cloudwright_render::{Gpu, RenderError, Renderer};
+use cloudwright_render::{Gpu, GpuRenderer, RenderError};
 use eframe::egui_wgpu::RenderState;
 use eframe::wgpu::FilterMode;
 use egui::TextureId;
@@ -13,7 +13,7 @@ use std::time::{Duration, Instant};
 pub(super) struct ByGpu {
     window: RenderState,
     gpu: Gpu,
-    renderer: Renderer,
+    renderer: GpuRenderer,
     name: String,
     texture: Option<TextureId>,
     time: Option<Duration>,
@@ -23,7 +23,7 @@ impl ByGpu {
     /// None if the device refuses the shaders.
     pub(super) fn new(window: RenderState) -> Option<Self> {
         let gpu = Gpu::from_parts(window.device.clone(), window.queue.clone(), window.adapter.get_info());
-        let renderer = Renderer::new(&gpu).ok()?;
+        let renderer = GpuRenderer::new(&gpu).ok()?;
         Some(Self { name: gpu_name(&gpu), window, gpu, renderer, texture: None, time: None })
     }
 

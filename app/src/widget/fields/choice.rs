@@ -2,7 +2,7 @@
 
 use super::{Fields, MIXED, MIXED_DOC, name_it, named};
 use crate::theme;
-use crate::widget::preset_gallery::{category_gallery, category_name};
+use crate::widget::picture_choice::{category_choice, category_name};
 use cloudwright_core::property::{Row, Value};
 use cloudwright_core::scene::Category;
 use egui::{Checkbox, Ui};
@@ -64,7 +64,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
                 {
                     chosen = Some(Value::None);
                 }
-                let category = category_gallery(ui, &mut self.reading.thumbnails.borrow_mut(), own.filter(|_| !mixed));
+                let category = category_choice(ui, &mut self.reading.thumbnails.borrow_mut(), own.filter(|_| !mixed));
                 chosen = category.map(|category| Value::Text(category.name().into())).or(chosen.take());
             });
             name_it(ui, &menu.response, label);

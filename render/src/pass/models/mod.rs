@@ -6,7 +6,7 @@
 
 use super::{FrameBinding, begin};
 use crate::format::{DEPTH_FORMAT, LINEAR_FORMAT};
-use crate::model_data::{ModelData, Placed};
+use crate::model_data::{ModelData, ModelInstance};
 use crate::{Gpu, shader};
 use cloudwright_core::model_mesh::ModelVertex;
 
@@ -67,7 +67,7 @@ fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::Rend
                     attributes: &wgpu::vertex_attr_array![0 => Float32x3, 1 => Float32x3, 2 => Float32x3],
                 }),
                 Some(wgpu::VertexBufferLayout {
-                    array_stride: size_of::<Placed>() as u64,
+                    array_stride: size_of::<ModelInstance>() as u64,
                     step_mode: wgpu::VertexStepMode::Instance,
                     attributes: &wgpu::vertex_attr_array![3 => Float32x4, 4 => Float32x4],
                 }),

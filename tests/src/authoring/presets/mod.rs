@@ -2,7 +2,7 @@
 //!
 //! The scenes' clouds may take a thousand sprites; a preset stays within the four hundred that a cloud should have (W),
 //! so it is laid out by hand, box by box, instead of by dice. Each scene has one model, placed once, and one camera,
-//! `main`, that shows it as its gallery picture does.
+//! `main`, that shows it as the picture to choose it by does.
 
 mod cumulonimbus;
 mod cumulus;

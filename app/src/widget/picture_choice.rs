@@ -1,4 +1,4 @@
-//! Galleries of pictures to choose from: ready-made clouds, and categories.
+//! Pictures to choose from: ready-made clouds, and categories.
 //!
 //! A tile is a button with a picture above its name: reached by Tab and the arrow keys, pressed by Enter, Space or
 //! click, and named for screen readers. Until its picture is drawn it is a quiet blank. Nothing is changed here; what was
@@ -15,8 +15,8 @@ use egui::{
 };
 
 /// All presets. The one that was chosen in this frame.
-pub fn preset_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'static Preset> {
-    gallery(ui, |ui| {
+pub fn preset_choice(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'static Preset> {
+    side_by_side(ui, |ui| {
         let mut chosen = None;
         for preset in Preset::ALL {
             let texture = thumbnails.texture(Subject::Preset(preset));
@@ -31,8 +31,8 @@ pub fn preset_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'stat
 }
 
 /// All categories, `present` marked. The one that was chosen in this frame, if it is another.
-pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Option<Category>) -> Option<Category> {
-    gallery(ui, |ui| {
+pub fn category_choice(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Option<Category>) -> Option<Category> {
+    side_by_side(ui, |ui| {
         let mut chosen = None;
         for category in Category::ALL {
             let texture = thumbnails.texture(Subject::Category(category));
@@ -47,7 +47,7 @@ pub fn category_gallery(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Optio
 }
 
 /// Tiles side by side, as many in a row as there is room for.
-fn gallery<T>(ui: &mut Ui, tiles: impl FnOnce(&mut Ui) -> T) -> T {
+fn side_by_side<T>(ui: &mut Ui, tiles: impl FnOnce(&mut Ui) -> T) -> T {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = Vec2::splat(theme::GAP);
         tiles(ui)

@@ -1,5 +1,5 @@
-//! What lies around the document: the clerk who writes files, what is remembered for the user, what is unsaved, and
-//! the file as it was last known. Everything slow goes to the clerk; answers are taken up at the beginning of a frame.
+//! What of an editor lies on a disk: the document's file as it was last known, settings, unsaved work, and the thread that
+//! reads and writes them. Everything slow goes to it; answers are taken up at the beginning of a frame.
 
 use super::Editor;
 use super::dialogs::Dialog;
@@ -8,11 +8,11 @@ use crate::storage::{Folders, RescueWriter, Settings, Stamp, Unsaved, Watcher};
 use crate::worker::InOrder;
 
 /// Files and memory of one editor.
-pub(super) struct Desk {
+pub(super) struct Disk {
     /// None: nothing is remembered and nothing rescued.
     folders: Option<Folders>,
     settings: Settings,
-    pub(super) clerk: InOrder<Done>,
+    pub(super) file_jobs: InOrder<Done>,
     pub(super) saving: bool,
     /// None where there is nothing to rescue to.
     pub(super) rescue_writer: Option<RescueWriter>,
@@ -25,7 +25,7 @@ pub(super) struct Desk {
     pub(super) window_size: Option<[f32; 2]>,
 }
 
-impl Desk {
+impl Disk {
     /// With what is remembered in `folders`; and notices of what can't be understood or done.
     pub(super) fn new(context: &egui::Context, folders: Option<Folders>) -> (Self, Vec<String>) {
         let (settings, notice) = folders.as_ref().map(Settings::load).unwrap_or_default();
@@ -35,10 +35,10 @@ impl Desk {
         let rescue_writer = folders
             .clone()
             .and_then(|folders| start(folders).map_err(|error| notices.push(unkept(&error.to_string()))).ok());
-        let desk = Self {
+        let disk = Self {
             folders,
             settings,
-            clerk: InOrder::start("files", move || for_clerk.request_repaint()),
+            file_jobs: InOrder::start("files", move || for_clerk.request_repaint()),
             saving: false,
             rescue_writer,
             kept: None,
@@ -46,7 +46,7 @@ impl Desk {
             known: None,
             window_size: None,
         };
-        (desk, notices)
+        (disk, notices)
     }
 
     pub(super) fn folders(&self) -> Option<&Folders> {
@@ -67,7 +67,7 @@ impl Desk {
         }
         self.settings = settings;
         if let Some(folders) = self.folders.clone() {
-            self.clerk.ask(move || Done::Remembered(Settings::change(&folders, change)));
+            self.file_jobs.ask(move || Done::Remembered(Settings::change(&folders, change)));
         }
     }
 }
@@ -75,11 +75,11 @@ impl Desk {
 impl Editor {
     /// Whether files are being written.
     pub fn is_busy(&self) -> bool {
-        self.desk.clerk.is_busy() || self.desk.rescue_writer.as_ref().is_some_and(RescueWriter::is_busy)
+        self.disk.file_jobs.is_busy() || self.disk.rescue_writer.as_ref().is_some_and(RescueWriter::is_busy)
     }
 
     pub(super) fn take_up_what_is_done(&mut self, context: &egui::Context) {
-        while let Some(done) = self.desk.clerk.next_answer() {
+        while let Some(done) = self.disk.file_jobs.next_answer() {
             match done {
                 Done::Saved { path, mark, outcome } => self.saved(path, mark, outcome, context),
                 Done::Remembered(Err(error)) => self.tell_error(format!("The settings can't be kept: {error}")),
@@ -91,11 +91,11 @@ impl Editor {
 
     /// What a clean exit leaves behind: nothing but settings.
     pub fn leave(&mut self) {
-        if let Some(size) = self.desk.window_size {
-            self.desk.remember(move |settings| settings.window_size = Some(size));
+        if let Some(size) = self.disk.window_size {
+            self.disk.remember(move |settings| settings.window_size = Some(size));
         }
         self.drop_rescue();
-        self.desk.rescue_writer = None;
-        self.desk.clerk.finish();
+        self.disk.rescue_writer = None;
+        self.disk.file_jobs.finish();
     }
 }

@@ -1,10 +1,10 @@
-//! The hands that fly: while the right button is held, the mouse turns the head and keys give the direction.
+//! How one flies: while the right button is held, the mouse turns the head and keys give the direction.
 //!
 //! W and S fly where one looks, A and D sideways, E and Q up and down; the wheel sets the speed, Shift is fast and Ctrl
 //! slow. [`Flight`] has the inertia: after the button is let go, the view glides to rest. The same keys are commands, so
-//! the pilot keeps them until they are let go.
+//! they are kept from them until they are let go.
 
-use super::fly::{Flight, Wish};
+use super::fly::{Flight, Steering};
 use super::hud::Readout;
 use super::navigation::Navigation;
 use cloudwright_core::camera::View;
@@ -24,9 +24,9 @@ const FORWARD: [Key; 2] = [Key::W, Key::S];
 const RIGHT: [Key; 2] = [Key::D, Key::A];
 const UP: [Key; 2] = [Key::E, Key::Q];
 
-/// Who flies the view.
+/// Flying by mouse and keys.
 #[derive(Debug, Default)]
-pub(super) struct Pilot {
+pub(super) struct FlyControl {
     flight: Flight,
     /// The button went down in the picture, and is down.
     is_held: bool,
@@ -35,8 +35,8 @@ pub(super) struct Pilot {
     has_keys: bool,
 }
 
-impl Pilot {
-    /// Whether the hand is on it.
+impl FlyControl {
+    /// Whether the button is down.
     pub(super) fn is_held(&self) -> bool {
         self.is_held
     }
@@ -92,11 +92,11 @@ impl Pilot {
         }
         let keys_down = ui.input(|input| [FORWARD, RIGHT, UP].as_flattened().iter().any(|key| input.key_down(*key)));
         self.has_keys = self.is_held || (self.has_keys && (down || keys_down));
-        let wish = if self.is_held { self.wish(navigation, ui, response) } else { Wish::default() };
+        let steering = if self.is_held { self.steering(navigation, ui, response) } else { Steering::default() };
         if !self.is_flying() {
             return;
         }
-        let step = self.flight.advance(dt_s, &wish);
+        let step = self.flight.advance(dt_s, &steering);
         navigation.turn_head(step.turn_deg);
         navigation.fly(step.way_m);
         if self.flight.moves() {
@@ -104,7 +104,7 @@ impl Pilot {
         }
     }
 
-    fn wish(&mut self, navigation: &Navigation, ui: &Ui, response: &Response) -> Wish {
+    fn steering(&mut self, navigation: &Navigation, ui: &Ui, response: &Response) -> Steering {
         let view = View::new(navigation.camera(), 1, 1);
         let dragged = response.dragged_by(PointerButton::Secondary);
         let (moved, notches, along, pace) = ui.input(|input| {
@@ -115,7 +115,7 @@ impl Pilot {
         });
         self.flight.change_speed(f64::from(notches));
         self.has_begun |= dragged || notches != 0.0 || along != DVec3::ZERO;
-        Wish {
+        Steering {
             velocity_m_s: along.normalize_or_zero() * (self.flight.speed_m_s() * pace),
             turn_deg: DVec2::new(f64::from(moved.x), f64::from(-moved.y)) * DEG_PER_POINT,
         }

@@ -1,8 +1,8 @@
-//! The galleries of ready-made clouds and categories, alone: found by label, pressed by click and by keyboard, quiet
+//! Ready-made clouds and categories, chosen by their pictures: found by label, pressed by click and by keyboard, quiet
 //! before they are shown and after the last picture came.
 
 use cloudwright::thumbnail::{Subject, Thumbnails};
-use cloudwright::{category_gallery, preset_gallery};
+use cloudwright::{category_choice, preset_choice};
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Category;
 use egui::accesskit::Role;
@@ -18,14 +18,14 @@ struct Shown {
     category: Option<Category>,
 }
 
-fn galleries() -> Harness<'static, Shown> {
+fn choices() -> Harness<'static, Shown> {
     Harness::builder().with_size([660.0, 900.0]).build_ui_state(
         |ui, shown: &mut Shown| {
             let context = ui.ctx().clone();
             let thumbnails = shown.thumbnails.get_or_insert_with(|| Thumbnails::new(&context));
-            shown.preset = preset_gallery(ui, thumbnails).or(shown.preset);
+            shown.preset = preset_choice(ui, thumbnails).or(shown.preset);
             ui.separator();
-            shown.category = category_gallery(ui, thumbnails, Some(Category::Stratus)).or(shown.category);
+            shown.category = category_choice(ui, thumbnails, Some(Category::Stratus)).or(shown.category);
         },
         Shown::default(),
     )
@@ -33,7 +33,7 @@ fn galleries() -> Harness<'static, Shown> {
 
 #[test]
 fn every_preset_and_category_is_a_button() {
-    let mut harness = galleries();
+    let mut harness = choices();
     harness.step();
     for preset in Preset::ALL {
         assert!(harness.query_all_by_role_and_label(Role::Button, preset.label).count() == 1, "{}", preset.label);
@@ -46,7 +46,7 @@ fn every_preset_and_category_is_a_button() {
 
 #[test]
 fn a_click_chooses() {
-    let mut harness = galleries();
+    let mut harness = choices();
     harness.get_by_role_and_label(Role::Button, "Cumulonimbus").click();
     harness.run_steps(2);
     assert_eq!(harness.state().preset.map(|preset| preset.name), Some("cumulonimbus"));
@@ -60,7 +60,7 @@ fn a_click_chooses() {
 
 #[test]
 fn the_keyboard_chooses() {
-    let mut harness = galleries();
+    let mut harness = choices();
     harness.key_press(Key::Tab);
     harness.step();
     harness.key_press(Key::Tab);

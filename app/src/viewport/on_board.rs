@@ -8,7 +8,7 @@ use cloudwright_core::flight::PathCurve;
 use cloudwright_core::scene::{Camera, CameraPath, PathId};
 
 /// A view on its way.
-pub(super) struct Ride {
+pub(super) struct OnBoard {
     pub(super) path: PathId,
     /// The view that it came from.
     pub(super) before: Navigation,
@@ -17,23 +17,23 @@ pub(super) struct Ride {
 }
 
 /// Where the view is in one frame.
-pub(super) struct Seat {
+pub(super) struct PathView {
     pub(super) camera: Camera,
     /// Metres a second of the clock.
     pub(super) speed_m_s: f64,
 }
 
-impl Ride {
+impl OnBoard {
     pub(super) fn new(path: PathId, before: Navigation) -> Self {
         Self { path, before, flown: None }
     }
 
     /// Where it is now; none if the path is gone.
-    pub(super) fn seat(&mut self, reading: &Reading<'_>) -> Option<Seat> {
+    pub(super) fn path_view(&mut self, reading: &Reading<'_>) -> Option<PathView> {
         let path = reading.session.scene().path(self.path)?;
         let flown = self.flown.take().filter(|(flown, _)| flown == path);
         let (_, curve) = self.flown.insert(flown.unwrap_or_else(|| (path.clone(), PathCurve::new(path))));
         let time_s = reading.clock.time_s();
-        Some(Seat { camera: curve.camera_at(time_s), speed_m_s: curve.velocity_at(time_s).length() })
+        Some(PathView { camera: curve.camera_at(time_s), speed_m_s: curve.velocity_at(time_s).length() })
     }
 }
