@@ -95,14 +95,15 @@ fn write(
     let fail = |error: io::Error| StorageError::write(path, &error);
     let in_the_way = |reason: &str| StorageError::InTheWay { path: path.into(), reason: reason.into() };
     let taken = "there is a file of that name already";
-    match over {
-        Over::Nothing if fs::symlink_metadata(target).is_ok() => return Err(in_the_way(taken)),
+    let check = || match over {
+        Over::Nothing if fs::symlink_metadata(target).is_ok() => Err(in_the_way(taken)),
         // One that is gone can be written anew: nothing is lost.
         Over::Known(known) if Stamp::of(target).is_some_and(|stamp| stamp != known) => {
-            return Err(in_the_way("another program changed it"));
+            Err(in_the_way("another program changed it"))
         }
-        _ => {}
-    }
+        _ => Ok(()),
+    };
+    check()?;
     let file = temporary_beside(path, target)?;
     let mut sink = Sink::new(file.as_file());
     fill(&mut sink).and_then(|()| sink.flush()).map_err(fail)?;
@@ -113,6 +114,8 @@ fn write(
     file.as_file().sync_all().map_err(fail)?;
     // Taken before the name: what another program puts there later has another.
     let stamp = file.as_file().metadata().map(|about| Stamp::from_metadata(&about)).map_err(fail)?;
+    // Writing took its time, in which another program may have saved.
+    check()?;
     let persisted = match over {
         Over::Nothing => file.persist_noclobber(target),
         Over::Anything | Over::Known(_) => file.persist(target),
@@ -222,6 +225,12 @@ mod tests {
         assert_eq!(Stamp::of(&path), Some(second));
         assert!(matches!(write_over(&path, b"three", Over::Known(first)), Err(StorageError::InTheWay { .. })));
         assert_eq!(read(&path, 9).expect("readable"), b"second");
+        let meanwhile = write(&path, &path, Over::Known(second), |sink| {
+            fs::write(&path, "theirs")?;
+            sink.write_all(b"three")
+        });
+        assert!(matches!(meanwhile, Err(StorageError::InTheWay { .. })), "another program was faster");
+        assert_eq!(read(&path, 9).expect("readable"), b"theirs");
         fs::remove_file(&path).expect("there");
         write_over(&path, b"three", Over::Known(second)).expect("nothing is lost");
     }
