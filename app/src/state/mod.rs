@@ -1,7 +1,7 @@
 //! What panels, viewport and editor share: the open document, how it is looked at, and what may be asked of the editor.
 //!
 //! Everything here is a value with its rules; none of it knows a panel, the viewport or the editor. Panels and viewport
-//! read it as a [`Reading`] and return [`Action`]s, which the editor carries out.
+//! read it as a `Reading` and return `Action`s, which the editor carries out.
 
 mod action;
 mod charting;

@@ -1,7 +1,8 @@
 //! Faults that a user can mend: where, what, and what to do. One check a file.
 //!
-//! A check walks the scene, or what a change touched of it ([`scope`]), and reports; it never changes anything. Errors make a scene unusable (a file with one is
-//! not opened, a transaction that brings one is taken back); notes are worth a look and refused by nobody.
+//! A check walks the scene, or what a change touched of it (`scope`), and reports; it never changes anything. Errors make
+//! a scene unusable (a file with one is not opened, a transaction that brings one is taken back); notes are worth a look
+//! and refused by nobody.
 
 mod camera_paths;
 mod crowded_group;
