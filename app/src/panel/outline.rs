@@ -117,7 +117,9 @@ fn row(ui: &mut Ui, text: &str, item: Item, reading: &Reading<'_>, actions: &mut
                     if hidden {
                         label = label.weak();
                     }
-                    let response = ui.add(Button::selectable(view.selection.contains(item), label));
+                    let icon = egui::RichText::new(icon::of_kind(item.word())).weak();
+                    let response = ui.add(Button::selectable(view.selection.contains(item), (icon, label)));
+                    name_it(ui, &response, text);
                     if response.clicked() {
                         let modifiers = ui.input(|input| input.modifiers);
                         let how = if modifiers.command || modifiers.shift { Choose::Toggle } else { Choose::Only };

@@ -1,5 +1,19 @@
 //! Names of the icon font's glyphs (assets/fonts). Buttons that show only an icon carry their name for screen readers.
 
+/// Of a kind of thing, by its word ([`Thing::word`](cloudwright_core::scene::Thing::word)); a pin for a kind without one
+/// of its own.
+pub(crate) fn of_kind(word: &str) -> &'static str {
+    match word {
+        "aircraft" => AIRPLANE_TILT,
+        "box" => CUBE,
+        "camera" => VIDEO_CAMERA,
+        "cloud" => CLOUD,
+        "model" => CUBE_TRANSPARENT,
+        "path" => PATH,
+        _ => MAP_PIN,
+    }
+}
+
 pub(crate) const AIRPLANE_TILT: &str = "\u{E5D6}";
 pub(crate) const ARROW_U_UP_LEFT: &str = "\u{E08A}";
 pub(crate) const ARROW_U_UP_RIGHT: &str = "\u{E08C}";
