@@ -18,6 +18,8 @@ pub(crate) fn read_texture(gpu: &Gpu, texture: &wgpu::Texture, texel_bytes: u32)
         usage: wgpu::BufferUsages::MAP_READ | wgpu::BufferUsages::COPY_DST,
         mapped_at_creation: false,
     });
+    // Software OpenGL on a busy machine now and then copies before it has drawn.
+    gpu.wait_until(|| true)?;
     let mut bytes = Vec::with_capacity(row_bytes as usize * texture.height() as usize);
     for first_row in (0..texture.height()).step_by(band as usize) {
         let rows = band.min(texture.height() - first_row);
