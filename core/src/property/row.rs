@@ -44,9 +44,14 @@ pub enum Refusal {
     #[error("it is not there")]
     NotThere,
     /// The value is of another kind.
-    #[error("{0:?} is not what it can be")]
-    WrongKind(Value),
-    /// The number is none, or out of range.
+    #[error("{value} is not {wanted}")]
+    WrongKind {
+        /// What was to be set.
+        value: Value,
+        /// What can be: "a number".
+        wanted: &'static str,
+    },
+    /// The number is NaN, or out of range.
     #[error("{value} is outside {min} to {max}")]
     OutOfRange {
         /// What was to be set.
@@ -91,7 +96,7 @@ impl<T> Row<T> {
         if self.value(thing, part).is_none() {
             return Err(Refusal::NotThere);
         }
-        let wrong = || Refusal::WrongKind(value.clone());
+        let wrong = || Refusal::WrongKind { value: value.clone(), wanted: self.property.kind.values() };
         let number = if let Some(range) = self.property.kind.number() {
             let Value::Number(number) = *value else { return Err(wrong()) };
             if !range.allows(number) {

@@ -4,6 +4,7 @@ use super::Number;
 use crate::color::Rgb;
 use crate::scene::{Category, Date, GroupId, ModelId, PathId};
 use glam::DVec3;
+use std::fmt;
 
 /// One value, whatever it is kept as.
 #[derive(Debug, Clone, PartialEq)]
@@ -73,7 +74,35 @@ pub enum Parts {
     Channels,
 }
 
+impl fmt::Display for Value {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::None => write!(f, "none"),
+            Self::Flag(true) => write!(f, "yes"),
+            Self::Flag(false) => write!(f, "no"),
+            Self::Number(number) => number.fmt(f),
+            Self::Whole(number) => number.fmt(f),
+            Self::Text(text) => write!(f, "“{text}”"),
+        }
+    }
+}
+
 impl Kind {
+    /// What values it has, in words.
+    pub const fn values(&self) -> &'static str {
+        match self {
+            Self::Number(_) | Self::Angle(_) | Self::Color(_) => "a number",
+            Self::Integer(_) | Self::Seed => "a whole number",
+            Self::Flag => "yes or no",
+            Self::Text => "text that is allowed here",
+            Self::Choice(_) => "one of the names to choose from",
+            Self::Category => "a category of cloud",
+            Self::Model => "the id of a cloud model",
+            Self::Group => "the id of a shading group",
+            Self::Path => "the id of a camera path",
+        }
+    }
+
     /// What its number means and may be, if it is one.
     pub const fn number(&self) -> Option<&Number> {
         match self {

@@ -133,14 +133,12 @@ fn what_is_out_of_range_or_of_another_kind_is_refused() {
             for wild in [range.max + 1.0, range.min - 1.0, f64::NAN, f64::INFINITY] {
                 assert!(matches!(refused(&Value::Number(wild)), Refusal::OutOfRange { .. }), "{address}");
             }
-            let wrong = Value::Text("1".into());
-            assert_eq!(refused(&wrong), Refusal::WrongKind(wrong));
+            assert!(matches!(refused(&Value::Text("1".into())), Refusal::WrongKind { .. }));
         } else {
-            let wrong = Value::Number(1.0);
-            assert_eq!(refused(&wrong), Refusal::WrongKind(wrong));
+            assert!(matches!(refused(&Value::Number(1.0)), Refusal::WrongKind { .. }));
         }
         if address.property.none.is_none() {
-            assert_eq!(refused(&Value::None), Refusal::WrongKind(Value::None));
+            assert!(matches!(refused(&Value::None), Refusal::WrongKind { .. }));
         }
     }
 }
@@ -273,4 +271,18 @@ fn an_address_of_nothing_is_refused_with_a_hint() {
         Edit::set(&everything(), gone, &Value::Number(1.0)),
         Err(EditError::Refused { refusal: Refusal::NotThere, .. })
     ));
+}
+
+#[test]
+fn refusals_are_plain_sentences() {
+    for (address, value, want) in [
+        ("sky/exposure_ev", Value::Text("much".into()), "sky/exposure_ev: “much” is not a number"),
+        ("sky/exposure_ev", Value::Number(99.0), "sky/exposure_ev: 99 is outside -20 to 20"),
+        ("place/date", Value::Text("soon".into()), "place/date: “soon” is not text that is allowed here"),
+        ("camera/9/roll_deg", Value::Number(1.0), "camera/9/roll_deg: it is not there"),
+    ] {
+        let address = address.parse().expect("a property");
+        let error = Edit::set(&Scene::default(), address, &value).expect_err(want);
+        assert_eq!(error.to_string(), want);
+    }
 }
