@@ -86,9 +86,9 @@ pub enum Gain {
     Speed,
 }
 
-/// By which of `points` the one at `place` is beaten most; none if by none, or if it has no figures.
-pub fn beaten(points: &[Option<[f64; 2]>], place: usize) -> Option<Beaten> {
-    let [cost, error] = (*points.get(place)?)?;
+/// By which of `points` the one at `index` is beaten most; none if by none, or if it has no figures.
+pub fn beaten(points: &[Option<[f64; 2]>], index: usize) -> Option<Beaten> {
+    let [cost, error] = (*points.get(index)?)?;
     let seen = |error: f64| error.max(UNSEEN_ERROR);
     let ratio = |ours: f64, theirs: f64| if theirs > 0.0 { ours / theirs } else { f64::INFINITY };
     let mut worst: Option<Beaten> = None;

@@ -1,8 +1,8 @@
-//! Measuring: the errors of all methods, place by place, then their times, round by round.
+//! Measuring: the errors of all methods, stop by stop, then their times, round by round.
 //!
 //! Errors don't depend on the machine; they are measured once, and what an earlier run measured is kept. Times do: they
 //! are taken of all methods in turn, the first round not counted, so that a slow minute hits all alike, and medians
-//! count. If one is missing, all are taken anew. The truth is timed as it is drawn for the errors, once at each place.
+//! count. If one is missing, all are taken anew. The truth is timed as it is drawn for the errors, once at each stop.
 
 use super::charted::{Charted, Drawing, Times};
 use super::frame_figures::mean;
@@ -14,11 +14,11 @@ use cloudwright_core::image::Picture;
 use cloudwright_core::method::Family;
 use cloudwright_core::rules::Rasterizer;
 
-/// Of the places along a path, so many at most are timed.
+/// Of the stops along a path, so many at most are timed.
 const TIMED: usize = 3;
 /// How long the truth draws, in frames of another method: for the progress only.
 const TRUTH_WEIGHT: usize = 30;
-/// A place along a path is two frames of another method.
+/// A stop along a path is two frames of another method.
 const ERROR_WEIGHT: usize = 2;
 
 /// Hears all that is known after each step; an error ends the run.
@@ -28,9 +28,9 @@ pub type Keep<'a, E> = dyn FnMut(&Report) -> Result<(), E> + 'a;
 pub struct Run<'a> {
     truth: Charted<'a>,
     measured: Vec<Measured<'a>>,
-    places: Vec<Vec<f64>>,
+    stops: Vec<Vec<f64>>,
     repeat: usize,
-    /// The truth at places where this run has drawn it.
+    /// The truth at stops where this run has drawn it.
     truths: Vec<(f64, Picture)>,
     /// All but the methods.
     head: Report,
@@ -44,7 +44,7 @@ pub struct Run<'a> {
 struct Measured<'a> {
     charted: Charted<'a>,
     figures: MethodFigures,
-    /// Of each round, at each place.
+    /// Of each round, at each stop.
     rounds: Vec<Vec<Times>>,
 }
 
@@ -67,11 +67,11 @@ impl<'a> Run<'a> {
             Measured { charted, figures: MethodFigures { settings, known_to_fail, ..figures }, rounds: Vec::new() }
         };
         let measured: Vec<Measured<'_>> = charted.into_iter().map(begin).collect();
-        let (places, repeat) = (subject.places(), repeat.max(1) as usize);
-        let errors = places.len() * (TRUTH_WEIGHT + ERROR_WEIGHT * measured.len());
-        let work = errors + (1 + (repeat + 1) * TIMED.min(places.len())) * measured.len();
+        let (stops, repeat) = (subject.stops(), repeat.max(1) as usize);
+        let errors = stops.len() * (TRUTH_WEIGHT + ERROR_WEIGHT * measured.len());
+        let work = errors + (1 + (repeat + 1) * TIMED.min(stops.len())) * measured.len();
         let head = Report { methods: Vec::new(), ..known };
-        Self { truth, measured, places, repeat, truths: Vec::new(), head, progress, done: 0, work }
+        Self { truth, measured, stops, repeat, truths: Vec::new(), head, progress, done: 0, work }
     }
 
     /// What is known so far.
@@ -87,17 +87,17 @@ impl<'a> Run<'a> {
     /// # Errors
     /// Those of `keep`. The truth has none, since it needs no adapter.
     pub fn measure_errors<E: From<RenderError>>(&mut self, keep: &mut Keep<'_, E>) -> Result<(), E> {
-        for place in self.places.clone() {
-            let at_s = place.first().copied().unwrap_or_default();
+        for stop in self.stops.clone() {
+            let at_s = stop.first().copied().unwrap_or_default();
             let lacks = |one: &Measured<'_>| !one.figures.frames.iter().any(|frame| frame.at_s == at_s);
             let is_lacking = self.measured.iter().any(lacks);
             self.head.unfinished |= is_lacking;
-            let truths = if is_lacking { drawings(&mut self.truth, &place)? } else { Vec::new() };
+            let truths = if is_lacking { drawings(&mut self.truth, &stop)? } else { Vec::new() };
             self.truths.extend(truths.first().map(|drawn| (at_s, drawn.picture.clone())));
             self.advance(TRUTH_WEIGHT);
             self.each(keep, ERROR_WEIGHT, |one| {
                 if lacks(one) {
-                    let drawn = if one.is_truth() { truths.clone() } else { drawings(&mut one.charted, &place)? };
+                    let drawn = if one.is_truth() { truths.clone() } else { drawings(&mut one.charted, &stop)? };
                     one.figures.frames.push(FrameFigures::of(at_s, &drawn, &truths));
                     one.figures.sum_up();
                 }
@@ -117,7 +117,7 @@ impl<'a> Run<'a> {
             return Ok(());
         }
         self.head.unfinished = true;
-        let firsts: Vec<f64> = self.places.iter().filter_map(|place| place.first().copied()).collect();
+        let firsts: Vec<f64> = self.stops.iter().filter_map(|stop| stop.first().copied()).collect();
         let timed: Vec<f64> = firsts.iter().copied().step_by(firsts.len().div_ceil(TIMED).max(1)).collect();
         for round in 0..=self.repeat {
             for one in &mut self.measured {
@@ -138,7 +138,7 @@ impl<'a> Run<'a> {
         keep(&self.report())
     }
 
-    /// Draws what the page shows: the place where there is something to see, and methods differ.
+    /// Draws what the page shows: the stop where there is something to see, and methods differ.
     ///
     /// # Errors
     /// None, since the truth needs no adapter.
@@ -159,14 +159,14 @@ impl<'a> Run<'a> {
         Ok(pictures)
     }
 
-    /// The place with the largest product of contrast and error.
+    /// The stop with the largest product of contrast and error.
     fn most_telling_s(&self) -> f64 {
         let worth = |at_s: f64| -> f64 {
             let frames = self.measured.iter().flat_map(|one| &one.figures.frames).filter(|frame| frame.at_s == at_s);
             frames.map(|frame| frame.contrast * frame.error.flip_mean.unwrap_or_default()).sum()
         };
-        let places = self.places.iter().filter_map(|place| place.first().copied());
-        places.max_by(|a, b| worth(*a).total_cmp(&worth(*b))).unwrap_or_default()
+        let stops = self.stops.iter().filter_map(|stop| stop.first().copied());
+        stops.max_by(|a, b| worth(*a).total_cmp(&worth(*b))).unwrap_or_default()
     }
 
     /// Does something for each method, of some `weight`, and keeps what is known then; one that fails is left out from
@@ -215,7 +215,7 @@ impl Measured<'_> {
         Ok(())
     }
 
-    /// The median round's mean over its places.
+    /// The median round's mean over its stops.
     fn cost(&self) -> Cost {
         if self.is_truth() {
             let drawn: Vec<f64> = self.figures.frames.iter().filter_map(|frame| frame.drawn_ms).collect();
@@ -233,7 +233,7 @@ impl Measured<'_> {
         }
     }
 
-    /// On average over the places.
+    /// On average over the stops.
     fn counts(&mut self, timed: &[f64]) -> FrameCounts {
         let counted: Vec<_> = timed.iter().map(|at_s| self.charted.counts(*at_s)).collect();
         let average = |of: &dyn Fn(&cloudwright_core::measure::Counts) -> f64| {
@@ -254,8 +254,8 @@ impl Measured<'_> {
     }
 }
 
-fn drawings(charted: &mut Charted<'_>, place: &[f64]) -> Result<Vec<Drawing>, RenderError> {
-    place.iter().map(|at_s| charted.draw(*at_s)).collect()
+fn drawings(charted: &mut Charted<'_>, stop: &[f64]) -> Result<Vec<Drawing>, RenderError> {
+    stop.iter().map(|at_s| charted.draw(*at_s)).collect()
 }
 
 /// The upper one of two in the middle; none of none.

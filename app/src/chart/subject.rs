@@ -10,7 +10,7 @@ use cloudwright_core::sprites::Atlas;
 /// From one frame of a flight to the next, seconds: 30 a second, as flights are drawn.
 pub const FRAME_S: f64 = 1.0 / 30.0;
 /// Places along a path. At each two frames are drawn by the truth, which takes most of a chart's time.
-const PLACES: usize = 5;
+const STOPS: usize = 5;
 
 /// A scene, and how it is looked at.
 #[derive(Debug, Clone, Copy)]
@@ -29,18 +29,18 @@ pub struct Subject<'a> {
 }
 
 impl Subject<'_> {
-    /// The moments to draw at each place, seconds of the clock: a frame and the next one; one alone for a still, or for
+    /// The moments to draw at each stop, seconds of the clock: a frame and the next one; one alone for a still, or for
     /// a flight that has no second frame.
-    pub fn places(&self) -> Vec<Vec<f64>> {
+    pub fn stops(&self) -> Vec<Vec<f64>> {
         let Some(path) = self.path else { return vec![vec![self.sight.moment.clock_s]] };
         // Roundings don't cost a path its last frame.
         let steps = (PathCurve::new(path).duration_s() / FRAME_S + 1e-6).floor();
         if steps < 1.0 {
             return vec![vec![0.0]];
         }
-        let count = PLACES.min(steps as usize);
-        let first = |place: usize| ((place as f64 + 0.5) / count as f64 * steps).floor().min(steps - 1.0);
-        (0..count).map(|place| [0.0, 1.0].map(|next| (first(place) + next) * FRAME_S).to_vec()).collect()
+        let count = STOPS.min(steps as usize);
+        let first = |stop: usize| ((stop as f64 + 0.5) / count as f64 * steps).floor().min(steps - 1.0);
+        (0..count).map(|stop| [0.0, 1.0].map(|next| (first(stop) + next) * FRAME_S).to_vec()).collect()
     }
 
     /// Whether the eye moves.

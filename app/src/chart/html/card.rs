@@ -25,7 +25,7 @@ pub(super) fn all(page: &Page<'_>, out: &mut String) -> Result<(), png::Encoding
         let error = |method: &MethodFigures| method.error.flip_mean.unwrap_or(f64::INFINITY);
         error(a).total_cmp(&error(b))
     });
-    methods.into_iter().try_for_each(|(place, method)| card(page, place, method, brightest, out))?;
+    methods.into_iter().try_for_each(|(index, method)| card(page, index, method, brightest, out))?;
     out.push_str("</section>\n");
     Ok(())
 }
@@ -35,8 +35,8 @@ pub(super) fn all(page: &Page<'_>, out: &mut String) -> Result<(), png::Encoding
 fn brightest(looks: &[Look<'_>]) -> f32 {
     let high = |look: &Look<'_>| {
         let mut errors: Vec<f32> = look.errors.iter().copied().filter(|error| error.is_finite()).collect();
-        let place = errors.len().saturating_sub(1 + errors.len() / 1000);
-        if errors.is_empty() { 0.0 } else { *errors.select_nth_unstable_by(place, f32::total_cmp).1 }
+        let index = errors.len().saturating_sub(1 + errors.len() / 1000);
+        if errors.is_empty() { 0.0 } else { *errors.select_nth_unstable_by(index, f32::total_cmp).1 }
     };
     let most = looks.iter().map(high).fold(LEAST_BRIGHTEST, f32::max);
     ((most * 20.0 - 1e-4).ceil() / 20.0).min(1.0)
@@ -54,13 +54,13 @@ fn scale(brightest: f32, out: &mut String) {
 
 fn card(
     page: &Page<'_>,
-    place: usize,
+    index: usize,
     method: &MethodFigures,
     brightest: f32,
     out: &mut String,
 ) -> Result<(), png::EncodingError> {
     let family = page.family(method);
-    let _ = writeln!(out, r#"<article class="card {}" id="{}">"#, class(family), Page::card_id(place));
+    let _ = writeln!(out, r#"<article class="card {}" id="{}">"#, class(family), Page::card_id(index));
     let _ = write!(out, "<h3>{}", text::escape(&method.name));
     if matches!(family, Family::Shipped | Family::Failing) {
         let _ = write!(out, r#" <span class="badge {}">{}</span>"#, class(family), family.name());
@@ -71,7 +71,7 @@ fn card(
     out.push_str("</h3>\n");
     let look = page.look(method);
     let about = look.map(|look| text::escape(look.about)).filter(|about| !about.is_empty());
-    let words: Vec<String> = about.into_iter().chain(reading::verdict(page, place)).collect();
+    let words: Vec<String> = about.into_iter().chain(reading::verdict(page, index)).collect();
     if !words.is_empty() {
         let _ = writeln!(out, "<p>{}</p>", words.join(" "));
     }

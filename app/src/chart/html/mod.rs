@@ -72,9 +72,9 @@ impl Page<'_> {
         self.look(method).map_or(Family::Other, |look| look.family)
     }
 
-    /// Where the page shows the method at `place` of the report.
-    fn card_id(place: usize) -> String {
-        format!("method-{place}")
+    /// Where the page shows the method at `index` of the report.
+    fn card_id(index: usize) -> String {
+        format!("method-{index}")
     }
 }
 
@@ -161,8 +161,8 @@ fn charts(page: &Page<'_>, out: &mut String) {
 }
 
 fn marks<'a>(page: &'a Page<'_>, at: impl Fn(&MethodFigures) -> Option<[f64; 2]>) -> Vec<Mark<'a>> {
-    let mark = |(place, method): (usize, &'a MethodFigures)| {
-        let link = format!("#{}", Page::card_id(place));
+    let mark = |(index, method): (usize, &'a MethodFigures)| {
+        let link = format!("#{}", Page::card_id(index));
         Some(Mark { name: &method.name, family: page.family(method), at: at(method)?, link })
     };
     page.report.methods.iter().enumerate().filter_map(mark).collect()

@@ -70,13 +70,13 @@ fn far_from_front(page: &Page<'_>) -> Option<String> {
     }
 }
 
-fn beaten(page: &Page<'_>, place: usize) -> Option<Beaten> {
+fn beaten(page: &Page<'_>, index: usize) -> Option<Beaten> {
     let methods = page.report.methods.iter().enumerate();
     // What is known to fail may be beaten, but beats none.
     let point =
-        |(i, method): (usize, &MethodFigures)| if i == place { method.cost_and_error() } else { method.choice() };
+        |(i, method): (usize, &MethodFigures)| if i == index { method.cost_and_error() } else { method.choice() };
     let points: Vec<_> = methods.map(point).collect();
-    front::beaten(&points, place)
+    front::beaten(&points, index)
 }
 
 fn better(page: &Page<'_>, beaten: &Beaten) -> String {
@@ -90,9 +90,9 @@ fn gained(Beaten { gain, factor, .. }: &Beaten) -> String {
     }
 }
 
-/// For the card of the method at `place`: what is wrong with taking it, if something is.
-pub(super) fn verdict(page: &Page<'_>, place: usize) -> Option<String> {
-    let beaten = beaten(page, place).filter(|beaten| beaten.factor >= FAR)?;
+/// For the card of the method at `index`: what is wrong with taking it, if something is.
+pub(super) fn verdict(page: &Page<'_>, index: usize) -> Option<String> {
+    let beaten = beaten(page, index).filter(|beaten| beaten.factor >= FAR)?;
     let no_worse = match beaten.gain {
         Gain::Truth => "takes no longer",
         Gain::Speed => "errs no more",

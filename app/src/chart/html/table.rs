@@ -25,13 +25,13 @@ pub(super) fn write(page: &Page<'_>, out: &mut String) {
         let _ = write!(out, r#"<th scope="col"{class}><button type="button">{}{unit}</button></th>"#, column.name);
     }
     out.push_str("</tr>\n</thead>\n<tbody>\n");
-    for (place, method) in methods.iter().enumerate() {
+    for (index, method) in methods.iter().enumerate() {
         let front = if method.on_front { r#" <span class="badge front">front</span>"# } else { "" };
         let _ = write!(
             out,
             r##"<tr class="{}"><th scope="row"><a href="#{}">{}</a>{front}</th>"##,
             class(page.family(method)),
-            Page::card_id(place),
+            Page::card_id(index),
             text::escape(&method.name)
         );
         for (column, class) in columns.iter().zip(group_starts(&columns)) {
