@@ -154,41 +154,22 @@ pub(super) trait Numbers {
     fn are_within(&self, range: [f64; 2]) -> bool;
 }
 
-impl Numbers for f64 {
-    fn number(&self, _: usize) -> f64 {
-        *self
-    }
-    fn set_number(&mut self, _: usize, number: f64) {
-        *self = number;
-    }
-    fn are_within(&self, range: [f64; 2]) -> bool {
-        is_within(self.number(0), range)
-    }
+macro_rules! one_number {
+    ($($kind:ty)*) => {$(
+        impl Numbers for $kind {
+            fn number(&self, _: usize) -> f64 {
+                f64::from(*self)
+            }
+            fn set_number(&mut self, _: usize, number: f64) {
+                *self = number as Self;
+            }
+            fn are_within(&self, range: [f64; 2]) -> bool {
+                is_within(self.number(0), range)
+            }
+        }
+    )*};
 }
-
-impl Numbers for f32 {
-    fn number(&self, _: usize) -> f64 {
-        f64::from(*self)
-    }
-    fn set_number(&mut self, _: usize, number: f64) {
-        *self = number as Self;
-    }
-    fn are_within(&self, range: [f64; 2]) -> bool {
-        is_within(self.number(0), range)
-    }
-}
-
-impl Numbers for u32 {
-    fn number(&self, _: usize) -> f64 {
-        f64::from(*self)
-    }
-    fn set_number(&mut self, _: usize, number: f64) {
-        *self = number as Self;
-    }
-    fn are_within(&self, range: [f64; 2]) -> bool {
-        is_within(self.number(0), range)
-    }
-}
+one_number!(f64 f32 u32);
 
 impl Numbers for [u32; 3] {
     fn number(&self, part: usize) -> f64 {
