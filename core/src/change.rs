@@ -8,8 +8,10 @@ use std::collections::BTreeSet;
 pub struct Change {
     pub(crate) everything: bool,
     pub(crate) ground: bool,
-    /// Name, hour, place, sun, sky or atlas.
+    /// Name, hour, place, sun, sky, weather or atlas.
     pub(crate) head: bool,
+    /// What moves the clouds with the clock: the air, or a track.
+    pub(crate) weather: bool,
     /// A list has more things or fewer, or the counter of ids was set.
     pub(crate) lists: bool,
     /// What stands in lists of the scene.
@@ -27,9 +29,14 @@ impl Change {
         Self { things: models.into_iter().map(Thing::Model).collect(), ..Self::default() }
     }
 
-    /// Whether anything that sprites are made from changed.
-    pub fn touches_sprites(&self) -> bool {
-        self.touches_ground() || self.touches_models() || self.touches_clouds()
+    /// Whether anything that is computed on the edit clock changed.
+    pub fn touches_derived(&self) -> bool {
+        self.touches_ground() || self.touches_models() || self.touches_clouds() || self.touches_weather()
+    }
+
+    /// Whether what moves with the clock changed: the air, or a track.
+    pub fn touches_weather(&self) -> bool {
+        self.everything || self.weather
     }
 
     /// Whether the cloud's placement changed.
@@ -47,7 +54,7 @@ impl Change {
         self.everything || self.ground
     }
 
-    /// Whether the scene's own values changed: name, hour, place, sun, sky, atlas.
+    /// Whether the scene's own values changed: name, hour, place, sun, sky, weather, atlas.
     pub fn touches_head(&self) -> bool {
         self.everything || self.head
     }
@@ -74,10 +81,11 @@ impl Change {
 
     /// Adds what `other` touched.
     pub fn join(&mut self, other: Self) {
-        let Self { everything, ground, head, lists, things } = other;
+        let Self { everything, ground, head, weather, lists, things } = other;
         self.everything |= everything;
         self.ground |= ground;
         self.head |= head;
+        self.weather |= weather;
         self.lists |= lists;
         self.things.extend(things);
     }

@@ -14,6 +14,7 @@ use crate::scene::{Cloud, CloudId, CloudModel, ModelId, Scene};
 use crate::sprites::{PlacedCloud, PopulatedModel, Shapes};
 use crate::version::Version;
 use crate::watch::Watch;
+use crate::weather::Timeline;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -27,6 +28,7 @@ pub struct Derived {
     index: Arc<FxHashMap<CloudId, usize>>,
     version: Version,
     shapes: Shapes,
+    timeline: Arc<Timeline>,
     populated: FxHashMap<Key, Populated>,
     work: WorkDone,
 }
@@ -69,6 +71,7 @@ impl Default for Derived {
             index: Arc::default(),
             version: Version::fresh(),
             shapes: Shapes::of(&[]),
+            timeline: Arc::default(),
             populated: FxHashMap::default(),
             work: WorkDone::default(),
         }
@@ -114,6 +117,11 @@ impl Derived {
         &self.shapes
     }
 
+    /// What the clock makes of the scene.
+    pub fn timeline(&self) -> &Arc<Timeline> {
+        &self.timeline
+    }
+
     /// What has been computed so far.
     pub fn work_done(&self) -> WorkDone {
         self.work
@@ -128,12 +136,12 @@ impl Derived {
     #[must_use]
     pub(crate) fn alone(&self, cloud: usize) -> Self {
         let (clouds, sources) = (vec![self.clouds[cloud].clone()], vec![self.sources[cloud].clone()]);
-        Self { clouds, sources, ..Self::default() }
+        Self { clouds, sources, timeline: Arc::clone(&self.timeline), ..Self::default() }
     }
 
     /// Recomputes what `change` touched in `scene`, which is the scene after the change.
     pub fn update(&mut self, scene: &Scene, change: &Change) {
-        if change.touches_sprites()
+        if change.touches_derived()
             && let Some(updated) = self.plan(scene, change).carry_out(&Watch::default())
         {
             *self = updated;

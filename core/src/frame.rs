@@ -48,9 +48,19 @@ impl<'a> Frame<'a> {
     /// What is seen of `scene`, whose `derived` is, with the tiles of `atlas`. It is of as many pixels as the sight's rules
     /// take samples.
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
-        let now = SceneNow::new(scene, derived.clouds(), sight.moment, sight.rules.forming);
+        let now = SceneNow::new(
+            scene,
+            (derived.clouds(), derived.timeline()),
+            sight.moment,
+            sight.rules.of_clouds(),
+        );
         let frame = Self::of(now, derived, atlas, sight);
-        let models = aircraft_in_view(scene, &sight.meshes, sight.moment.clock_s, frame.view.eye);
+        let models = aircraft_in_view(
+            (&scene.paths, &frame.now.aircraft),
+            &sight.meshes,
+            sight.moment.clock_s,
+            frame.view.eye,
+        );
         Self { models, ..frame }
     }
 
@@ -84,9 +94,8 @@ impl<'a> Frame<'a> {
 
     /// A sprite of the list, as this eye sees it.
     pub fn posed(&self, drawn: &DrawSprite) -> PosedSprite<'_> {
-        let cloud = self.now.clouds[drawn.cloud as usize];
-        let sprite = &cloud.placed.sprites[drawn.sprite as usize];
-        PosedSprite::new(cloud, sprite, self.list.pose(drawn, &self.view), &self.now.light)
+        let cloud = &self.now.clouds[drawn.cloud as usize];
+        PosedSprite::new(cloud, drawn.sprite as usize, self.list.pose(drawn, &self.view), &self.now.light)
     }
 
     /// The same frame in the order that fades out, alone, with its share of the picture.

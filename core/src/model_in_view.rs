@@ -3,7 +3,7 @@
 use crate::flight::PathCurve;
 use crate::formats::model_glb;
 use crate::model_mesh::ModelMesh;
-use crate::scene::{Aircraft, PathId, Scene};
+use crate::scene::{Aircraft, CameraPath, List, PathId};
 use glam::{DVec3, Quat, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
@@ -50,16 +50,21 @@ impl Meshes {
     }
 }
 
-/// The aircraft of `scene` as seen from `eye`, `clock_s` into their paths; one that has no path is left out. Before and
+/// The `aircraft` that fly on `paths` as seen from `eye`, `clock_s` into their paths; one that has no path is left out. Before and
 /// after its path an aircraft stands at the end of it.
-pub fn aircraft_in_view(scene: &Scene, meshes: &Meshes, clock_s: f64, eye: DVec3) -> Vec<ModelInView> {
-    if scene.aircraft.is_empty() {
+pub fn aircraft_in_view(
+    (paths, aircraft): (&List<CameraPath>, &List<Aircraft>),
+    meshes: &Meshes,
+    clock_s: f64,
+    eye: DVec3,
+) -> Vec<ModelInView> {
+    if aircraft.is_empty() {
         return Vec::new();
     }
-    let flown: FxHashSet<PathId> = scene.aircraft.iter().map(|aircraft| aircraft.path).collect();
-    let flown = scene.paths.iter().filter(|path| flown.contains(&path.id));
+    let flown: FxHashSet<PathId> = aircraft.iter().map(|aircraft| aircraft.path).collect();
+    let flown = paths.iter().filter(|path| flown.contains(&path.id));
     let curves: FxHashMap<PathId, PathCurve> = flown.map(|path| (path.id, PathCurve::new(path))).collect();
-    let in_view = scene.aircraft.iter().filter_map(|aircraft| {
+    let in_view = aircraft.iter().filter_map(|aircraft| {
         let place = curves.get(&aircraft.path)?.attitude_at(clock_s + aircraft.ahead_s);
         Some(ModelInView {
             mesh: meshes.of(aircraft),

@@ -6,15 +6,17 @@
 use crate::camera::View;
 use crate::facing::{Facing, Pose, corners};
 use crate::shading::{CornerLight, corner_light};
-use crate::sprites::{Group, PlacedCloud, Sprite};
-use crate::weather::{CloudNow, FormingRule, Light};
+use crate::sprites::{Group, Sprite};
+use crate::weather::{CloudNow, Light};
 use glam::Vec3;
 
 /// A sprite with its pose and its light.
 #[derive(Debug, Clone, Copy)]
 pub struct PosedSprite<'a> {
-    /// The sprite itself.
-    pub sprite: &'a Sprite,
+    /// The sprite at rest, where its light is taken.
+    pub rest: &'a Sprite,
+    /// The sprite as it is now; its position counts from the cloud's origin.
+    pub sprite: Sprite,
     /// Its shading group.
     pub group: &'a Group,
     /// How it stands before the eye.
@@ -22,15 +24,19 @@ pub struct PosedSprite<'a> {
     /// The axes of its quad.
     pub facing: Facing,
     /// Its cloud.
-    pub cloud: CloudNow<'a>,
+    pub cloud: &'a CloudNow<'a>,
+    /// How much of it has condensed, 0 to 1.
+    condensed: f32,
     light: &'a Light,
 }
 
 impl<'a> PosedSprite<'a> {
-    /// A sprite of `cloud`, under `light`.
-    pub fn new(cloud: CloudNow<'a>, sprite: &'a Sprite, pose: Pose, light: &'a Light) -> Self {
-        let group = &cloud.placed.groups[sprite.group as usize];
-        Self { sprite, group, pose, facing: pose.facing(sprite.rotation), cloud, light }
+    /// The sprite of `cloud` that has that index, under `light`.
+    pub fn new(cloud: &'a CloudNow<'a>, index: usize, pose: Pose, light: &'a Light) -> Self {
+        let (rest, sprite) = (&cloud.placed.sprites[index], cloud.sprite_now(index));
+        let group = &cloud.groups()[sprite.group as usize];
+        let condensed = cloud.condensed(index);
+        Self { rest, sprite, group, pose, facing: pose.facing(sprite.rotation), cloud, condensed, light }
     }
 
     /// Its corners, top left first and clockwise, about its centre as that counts from wherever the caller counts.
@@ -38,11 +44,11 @@ impl<'a> PosedSprite<'a> {
         corners(center, self.facing, self.sprite.width, self.sprite.height)
     }
 
-    /// The light on it at `point`, which counts from the cloud's origin with the sprite at rest; its alpha is what the
-    /// eye's nearness leaves.
-    pub fn light_at(&self, point: Vec3) -> CornerLight {
-        let mut lit = corner_light(point, &self.cloud, self.group, self.light);
-        lit.ambient.a *= self.pose.fade;
+    /// The light on it at `offset` from its centre, as it is now; its alpha is what air and the eye's nearness leave.
+    pub fn light_at(&self, offset: Vec3) -> CornerLight {
+        let point = self.rest.position + self.cloud.at_rest_from(offset);
+        let mut lit = corner_light(point, self.cloud, self.group, self.light);
+        lit.ambient.a *= self.pose.fade * self.condensed;
         lit
     }
 }
@@ -54,15 +60,13 @@ pub struct Still<'a> {
     pub view: &'a View,
     /// The light on them.
     pub light: &'a Light,
-    /// Seconds of the scene's clock: how far clouds have formed.
-    pub clock_s: f64,
 }
 
 impl<'a> Still<'a> {
-    /// A sprite of `cloud`.
-    pub fn posed(&self, cloud: &'a PlacedCloud, sprite: &'a Sprite) -> PosedSprite<'a> {
-        let cloud = CloudNow::at(cloud, self.clock_s, FormingRule::ClosedForm);
-        let center = cloud.from_eye(self.view.eye) + cloud.position_now(sprite);
-        PosedSprite::new(cloud, sprite, Pose::still(center, sprite.radius(), self.view), self.light)
+    /// The sprite of `cloud` that has that index.
+    pub fn posed(&self, cloud: &'a CloudNow<'a>, index: usize) -> PosedSprite<'a> {
+        let now = cloud.sprite_now(index);
+        let center = cloud.from_eye(self.view.eye) + now.position;
+        PosedSprite::new(cloud, index, Pose::still(center, now.radius(), self.view), self.light)
     }
 }

@@ -7,7 +7,7 @@
 use crate::detail::Detail;
 use crate::draw_list::Sorting;
 use crate::facing::FacingRule;
-use crate::weather::FormingRule;
+use crate::weather::{FormingRule, StreamingRule};
 use std::collections::BTreeMap;
 
 /// Of [`Rasterizer::Fast`]: a pixel is done when less than this gets through. What still does shows the background, but
@@ -55,6 +55,8 @@ pub struct Rules {
     pub facing: FacingRule,
     /// How clouds form.
     pub forming: FormingRule,
+    /// How loose edges follow the wind.
+    pub streaming: StreamingRule,
     /// How much of each cloud is drawn.
     pub detail: Detail,
     /// How texels become a fragment's.
@@ -70,10 +72,16 @@ impl Rules {
         sorting: Sorting::EachFrame,
         facing: FacingRule::BOUNDED,
         forming: FormingRule::ClosedForm,
+        streaming: StreamingRule::ClosedForm,
         detail: Detail::FULL,
         filter: Filter::MipLevels,
         samples_side: 1,
     };
+
+    /// By which rules the clock moves clouds.
+    pub fn of_clouds(&self) -> (FormingRule, StreamingRule) {
+        (self.forming, self.streaming)
+    }
 
     /// How many of a frame's pixels lie side by side in one of the picture's.
     pub fn pixels_a_pixel(&self) -> u32 {
@@ -124,6 +132,7 @@ impl Rules {
             ("sorting", sorting.into()),
             ("facing", self.facing.name.into()),
             ("forming", self.forming.in_words()),
+            ("streaming", self.streaming.in_words()),
             ("sprites kept", format!("{:.0} %", self.detail.kept * 100.0)),
             ("filter", filter.into()),
             ("samples", samples),

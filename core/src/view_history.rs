@@ -30,7 +30,8 @@ pub struct ViewHistory {
 impl ViewHistory {
     /// Goes on to `view` by `rules`, through the clouds as they are at `clock_s`, seconds of the scene's clock.
     pub fn step(&mut self, rules: &Rules, derived: &Derived, clock_s: f64, view: &View) {
-        let (clouds, shapes) = (&clouds_now(derived.clouds(), clock_s, rules.forming), derived.shapes());
+        let clouds = &clouds_now(derived.clouds(), derived.timeline(), clock_s, rules.of_clouds());
+        let shapes = derived.shapes();
         self.facing.step(&rules.facing, clouds, shapes, view.eye, view.up);
         self.order.step(&rules.sorting, clouds, shapes, view);
     }

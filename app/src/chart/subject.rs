@@ -58,6 +58,6 @@ impl Subject<'_> {
 
     /// Whether any of its clouds forms or dissipates.
     pub fn forms(&self) -> bool {
-        self.derived.clouds().iter().any(|cloud| cloud.formation.is_some())
+        self.derived.clouds().iter().any(|cloud| cloud.cloud.formation.is_some())
     }
 }

@@ -10,7 +10,8 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
 use cloudwright_core::posed_sprite::Still;
-use cloudwright_core::weather::Light;
+use cloudwright_core::rules::Rules;
+use cloudwright_core::weather::{Moment, SceneNow};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -31,8 +32,8 @@ pub(super) struct Arguments {
     /// Time of day of the light; the scene's if not given
     #[arg(long, value_name = "HH:MM", requires = "shaded", value_parser = time_of_day)]
     time: Option<f64>,
-    /// Seconds of the scene's clock: how far clouds have formed
-    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, requires = "shaded", value_parser = arguments::seconds)]
+    /// Seconds of the scene's clock: where clouds are then, and how far they have formed
+    #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = arguments::seconds)]
     at: f64,
     /// Camera that the sprites face; the scene's first if not given
     #[arg(long, value_name = "NAME", requires = "shaded")]
@@ -47,10 +48,10 @@ enum Format {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let format = format_of(&arguments.output)?;
     let scene = opening::open_scene(&arguments.scene)?;
-    let shaded = if arguments.shaded {
+    let camera = if arguments.shaded {
         let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
         // Corners depend on where the eye is and which way is up, not on the picture's size.
-        Some((View::new(camera, 1, 1), Light::at(&scene, arguments.time.unwrap_or(scene.time_of_day_h))))
+        Some(camera.clone())
     } else {
         None
     };
@@ -61,12 +62,18 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let derived = plan.carry_out(progress.watch()).ok_or_else(Failure::stopped)?;
     drop(progress);
     let progress = Progress::start_stoppable("exporting");
-    let shaded = shaded.as_ref().map(|(view, light)| Still { view, light, clock_s: arguments.at });
+    let moment = Moment { clock_s: arguments.at, time_h: arguments.time };
+    let now = SceneNow::new(&scene, (derived.clouds(), derived.timeline()), moment, Rules::SHIPPED.of_clouds());
+    let view = camera.map(|camera| {
+        let camera = derived.timeline().camera_at(&camera, arguments.at);
+        View::new(&camera, 1, 1)
+    });
+    let shaded = view.as_ref().map(|view| Still { view, light: &now.light });
     let watch = progress.watch();
     let written = storage::write_streamed(&arguments.output, |out| {
         match format {
-            Format::Json => sprites_json::write(out, derived.clouds(), shaded, watch),
-            Format::Csv => sprites_csv::write(out, derived.clouds(), shaded, watch),
+            Format::Json => sprites_json::write(out, &now.clouds, shaded, watch),
+            Format::Csv => sprites_csv::write(out, &now.clouds, shaded, watch),
         }?;
         if watch.is_cancelled() { Err(ErrorKind::Interrupted.into()) } else { Ok(()) }
     });

@@ -3,7 +3,9 @@
 use super::{Charting, Clock, Session, TimePlay, ViewState};
 use crate::thumbnail::Thumbnails;
 use crate::units::Units;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::ColorLevels;
+use cloudwright_core::weather::{CloudNow, clouds_now};
 use std::cell::RefCell;
 
 /// What panels read.
@@ -37,9 +39,16 @@ pub(crate) struct Reading<'a> {
     pub(crate) units: Units,
 }
 
-impl Reading<'_> {
-    /// The hour that is shown: the one that is tried out, or the scene's.
+impl<'a> Reading<'a> {
+    /// The hour that is shown: the one that is tried out, or the scene's at the clock's time.
     pub(crate) fn time_h(&self) -> f64 {
-        self.time_play.time_h().unwrap_or(self.session.scene().time_of_day_h)
+        let (session, clock_s) = (self.session, self.clock.time_s());
+        self.time_play.time_h().unwrap_or_else(|| session.derived().timeline().time_of_day_h(session.scene(), clock_s))
+    }
+
+    /// The clouds at the clock's time, in their order.
+    pub(crate) fn clouds_now(&self) -> Vec<CloudNow<'a>> {
+        let derived = self.session.derived();
+        clouds_now(derived.clouds(), derived.timeline(), self.clock.time_s(), Rules::SHIPPED.of_clouds())
     }
 }

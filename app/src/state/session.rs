@@ -257,7 +257,7 @@ impl Session {
         if !self.beside.is_of(self.scene()) {
             self.load_beside();
         }
-        let touches_sprites = change.touches_sprites();
+        let touches_derived = change.touches_derived();
         // What was wrong before may lie anywhere.
         let touched = if self.is_sound { &change } else { &Change::everything() };
         self.is_sound = problem::stays_sound(self.scene(), touched);
@@ -268,7 +268,7 @@ impl Session {
         self.shown = Arc::new(self.scene().clone());
         self.revision = Version::fresh();
         // Light and cameras don't overtake the work on sprites.
-        if touches_sprites || self.regeneration.pending().is_none() {
+        if touches_derived || self.regeneration.pending().is_none() {
             self.catch_up(0);
         }
     }
@@ -293,7 +293,7 @@ impl Session {
     }
 
     fn is_behind(&self) -> bool {
-        self.stale.touches_sprites()
+        self.stale.touches_derived()
     }
 
     /// A new point ends what could be redone.

@@ -77,7 +77,7 @@ impl Marks {
 fn mesh(screen: &Screen, sight: &Sight, reading: &Reading<'_>) -> Mesh {
     let view = reading.view;
     let derived = reading.session.derived();
-    let now = clouds_now(derived.clouds(), sight.moment.clock_s, sight.rules.forming);
+    let now = clouds_now(derived.clouds(), derived.timeline(), sight.moment.clock_s, sight.rules.of_clouds());
     let poses = Poses::new(&sight.rules.facing, &now, derived.shapes(), &screen.view, &sight.history.facing);
     let clouds: Vec<(&Cloud, &PlacedCloud)> = marked(reading);
     let count: usize = clouds.iter().map(|(_, placed)| placed.sprites.len()).sum();
@@ -86,33 +86,35 @@ fn mesh(screen: &Screen, sight: &Sight, reading: &Reading<'_>) -> Mesh {
     let mut mesh = Mesh::default();
     let mut selected = Vec::new();
     for (cloud, placed) in clouds {
-        let offset = screen.relative(placed.origin);
-        if !screen.view.sees_sphere(offset + placed.center, placed.reach) {
+        let Some((cloud_index, cloud_now)) = derived.index_of(placed.id).and_then(|at| Some((at, now.get(at)?))) else {
+            continue;
+        };
+        let offset = screen.relative(cloud_now.origin());
+        if !screen.view.sees_sphere(offset + cloud_now.center_now(), cloud_now.reach_now()) {
             continue;
         }
-        let cloud_index = derived.index_of(placed.id).unwrap_or(usize::MAX);
         let pose = |number: usize, center: Vec3| match poses.of_sprite(cloud_index, number as u32) {
             Some(pose) => *pose,
             None => Pose::facing_eye(center, screen.view.up),
         };
-        let is_there = pick::is_there(placed, reading.clock.time_s());
         let tints = view.group_view.then(|| theme::tints(placed));
-        for (number, sprite) in placed.sprites.iter().enumerate() {
+        for number in 0..placed.sprites.len() {
+            let sprite = cloud_now.sprite_now(number);
             if view.hidden.contains(&Item::Box(cloud.model, sprite.box_id)) {
                 continue;
             }
             let center = offset + sprite.position;
             if chosen.contains(&(cloud.model, sprite.box_id, sprite.index)) {
                 selected.push((center, sprite, pose(number, center)));
-            } else if number % every == 0 && is_there(sprite) {
-                let color = color_of(cloud.model, tints.as_deref(), sprite, view);
-                mark(&mut mesh, screen, (center, sprite, || pose(number, center)), color, view);
+            } else if number % every == 0 && pick::is_there(cloud_now, number) {
+                let color = color_of(cloud.model, tints.as_deref(), &sprite, view);
+                mark(&mut mesh, screen, (center, &sprite, || pose(number, center)), color, view);
             }
         }
     }
     // On top of the others.
     for (center, sprite, pose) in selected {
-        if let Some(quad) = quad(screen, center, sprite, &pose) {
+        if let Some(quad) = quad(screen, center, &sprite, &pose) {
             ring(&mut mesh, quad, 3.5, theme::CASING);
             ring(&mut mesh, quad, 2.0, theme::SELECTED_BOX.color);
         }

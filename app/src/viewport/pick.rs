@@ -10,8 +10,8 @@ use crate::state::{Item, Reading, SpriteMarks};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::camera::NEAR_M;
 use cloudwright_core::scene::{BoxId, Camera, Cloud, CloudBox, CloudId};
-use cloudwright_core::sprites::{PlacedCloud, Sprite};
-use cloudwright_core::weather::Formed;
+use cloudwright_core::sprites::Sprite;
+use cloudwright_core::weather::CloudNow;
 use egui::Pos2;
 use glam::Vec3;
 use std::collections::BTreeMap;
@@ -73,9 +73,9 @@ pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Vec<Pic
     under.extend(cameras::under(at, screen, reading).map(|id| Picked { item: Item::Camera(id), through: None }));
     under.extend(dot_under(at, screen, reading));
     let ray = screen.ray(at);
-    let mut met: Vec<(f32, &Cloud, Vec<BoxId>)> = placed(reading)
-        .filter_map(|(cloud, placed)| {
-            let (depth, boxes) = meet(cloud, placed, ray, screen, reading)?;
+    let mut met: Vec<(f32, &Cloud, Vec<BoxId>)> = of_clouds(reading, |cloud| reading.view.can_pick(cloud))
+        .filter_map(|(cloud, now)| {
+            let (depth, boxes) = meet(cloud, &now, ray, screen, reading)?;
             Some((depth, cloud, boxes))
         })
         .collect();
@@ -91,9 +91,9 @@ pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Vec<Pic
 /// View depth along a ray of the nearest cloud in view, or else of the ground, metres.
 pub(super) fn depth(screen: &Screen, ray: Vec3, reading: &Reading<'_>) -> Option<f32> {
     let scene = reading.session.scene();
-    let clouds = scene.clouds.iter().filter(|cloud| reading.view.shows(cloud));
-    let placed = clouds.filter_map(|cloud| reading.session.placed(cloud.id));
-    let nearest = placed.flat_map(|placed| hits(placed, ray, screen, reading).map(|(depth, _)| depth)).reduce(f32::min);
+    let clouds = of_clouds(reading, |cloud| reading.view.shows(cloud));
+    let depths = |now: &CloudNow<'_>| hits(now, ray, screen).map(|(depth, _)| depth).reduce(f32::min);
+    let nearest = clouds.filter_map(|(_, now)| depths(&now)).reduce(f32::min);
     nearest.or_else(|| {
         let altitude = scene.ground.as_ref()?.altitude_m;
         let depth = (altitude - screen.view.eye.y) as f32 / ray.y;
@@ -101,40 +101,40 @@ pub(super) fn depth(screen: &Screen, ray: Vec3, reading: &Reading<'_>) -> Option
     })
 }
 
-/// The clouds that may be picked.
-fn placed<'a>(reading: &Reading<'a>) -> impl Iterator<Item = (&'a Cloud, &'a PlacedCloud)> + use<'a> {
-    let (view, session) = (reading.view, reading.session);
-    let clouds = session.scene().clouds.iter().filter(move |cloud| view.can_pick(cloud));
-    clouds.filter_map(move |cloud| Some((cloud, session.placed(cloud.id)?)))
+/// The clouds that are wanted, as they are at the clock's time.
+fn of_clouds<'a>(
+    reading: &Reading<'a>,
+    wanted: impl Fn(&Cloud) -> bool,
+) -> impl Iterator<Item = (&'a Cloud, CloudNow<'a>)> {
+    let scene = reading.session.scene();
+    let clouds = reading.clouds_now().into_iter().filter_map(|now| Some((scene.cloud(now.placed.id)?, now)));
+    clouds.filter(move |(cloud, _)| wanted(cloud))
 }
 
-/// Which sprites of a cloud are there at the clock's time: all of one that doesn't form, else those that are not clear.
-pub(super) fn is_there(placed: &PlacedCloud, clock_s: f64) -> impl Fn(&Sprite) -> bool + use<'_> {
-    let formed = placed.formation.as_ref().map(|formation| Formed::at(Some(formation), clock_s));
-    move |sprite| formed.is_none_or(|formed| formed.opacity(placed.radii_of(sprite.position)) > 0.0)
+/// Whether the sprite of that index shows: it is not clear.
+pub(super) fn is_there(now: &CloudNow<'_>, index: usize) -> bool {
+    let rest = &now.placed.sprites[index];
+    now.opacity_at(now.placed.radii_of(rest.position)) * now.condensed(index) > 0.0
 }
 
 /// The sprites that a ray meets, with the depths.
-fn hits<'a>(
-    placed: &'a PlacedCloud,
-    ray: Vec3,
-    screen: &Screen,
-    reading: &Reading<'_>,
-) -> impl Iterator<Item = (f32, &'a Sprite)> + use<'a> {
-    let is_there = is_there(placed, reading.clock.time_s());
-    let offset = screen.relative(placed.origin);
-    let near = meets(ray, offset + placed.center, placed.reach).is_some();
-    let sprites = if near { &*placed.sprites } else { &[] };
-    sprites
-        .iter()
-        .filter_map(move |sprite| Some((meets(ray, offset + sprite.position, sprite.radius() * SOLID_SHARE)?, sprite)))
-        .filter(move |(_, sprite)| is_there(sprite))
+fn hits<'a>(now: &'a CloudNow<'_>, ray: Vec3, screen: &Screen) -> impl Iterator<Item = (f32, Sprite)> + use<'a> {
+    let offset = screen.relative(now.origin());
+    let near = meets(ray, offset + now.center_now(), now.reach_now()).is_some();
+    let indices = if near { 0..now.placed.sprites.len() } else { 0..0 };
+    indices
+        .map(move |index| (index, now.sprite_now(index)))
+        .filter_map(move |(index, sprite)| {
+            Some((meets(ray, offset + sprite.position, sprite.radius() * SOLID_SHARE)?, index, sprite))
+        })
+        .filter(move |(_, index, _)| is_there(now, *index))
+        .map(|(depth, _, sprite)| (depth, sprite))
 }
 
 /// How near a ray meets a cloud, and its boxes: first those whose sprites it meets, then those that it only passes.
 fn meet(
     cloud: &Cloud,
-    placed: &PlacedCloud,
+    now: &CloudNow<'_>,
     ray: Vec3,
     screen: &Screen,
     reading: &Reading<'_>,
@@ -144,7 +144,7 @@ fn meet(
         (!reading.view.hidden.contains(&item), !reading.view.locked.contains(&item))
     };
     let mut by_sprite: BTreeMap<BoxId, f32> = BTreeMap::new();
-    for (depth, sprite) in hits(placed, ray, screen, reading) {
+    for (depth, sprite) in hits(now, ray, screen) {
         let nearest = by_sprite.entry(sprite.box_id).or_insert(depth);
         *nearest = nearest.min(depth);
     }
@@ -193,14 +193,15 @@ fn enters(cloud: &Cloud, each: &CloudBox, ray: Vec3, screen: &Screen) -> Option<
 }
 
 /// The sprites that are marked so that they can be picked: those of the cloud whose box or sprite is selected.
-pub(super) fn dots<'a>(reading: &Reading<'a>) -> Option<(&'a Cloud, &'a PlacedCloud)> {
+pub(super) fn dots<'a>(reading: &Reading<'a>) -> Option<(&'a Cloud, CloudNow<'a>)> {
     let view = reading.view;
     let among_sprites = matches!(view.selection.primary(), Some(Item::Box(..) | Item::Sprite(..)));
     if view.sprite_marks == SpriteMarks::Off || !among_sprites {
         return None;
     }
     let cloud = view.selection.cloud(reading.session.scene()).filter(|cloud| view.can_pick(cloud))?;
-    Some((cloud, reading.session.placed(cloud.id)?))
+    let at = reading.session.derived().index_of(cloud.id)?;
+    Some((cloud, reading.clouds_now().into_iter().nth(at)?))
 }
 
 /// Those of [`dots`] that are neither in a hidden nor in a locked box, and where they show.
@@ -208,11 +209,12 @@ pub(super) fn dots_on<'a>(
     screen: &'a Screen,
     reading: &Reading<'a>,
 ) -> impl Iterator<Item = (Pos2, f32, Picked)> + use<'a> {
-    let (view, clock_s) = (reading.view, reading.clock.time_s());
-    dots(reading).into_iter().flat_map(move |(cloud, placed)| {
-        let offset = screen.relative(placed.origin);
-        let is_there = is_there(placed, clock_s);
-        placed.sprites.iter().filter(move |sprite| is_there(sprite)).filter_map(move |sprite| {
+    let view = reading.view;
+    dots(reading).into_iter().flat_map(move |(cloud, now)| {
+        let offset = screen.relative(now.origin());
+        let there = (0..now.placed.sprites.len()).filter(|index| is_there(&now, *index));
+        let sprites: Vec<Sprite> = there.map(|index| now.sprite_now(index)).collect();
+        sprites.into_iter().filter_map(move |sprite| {
             let its_box = Item::Box(cloud.model, sprite.box_id);
             if view.hidden.contains(&its_box) || view.locked.contains(&its_box) {
                 return None;

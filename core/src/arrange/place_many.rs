@@ -58,14 +58,11 @@ pub fn model(scene: &Scene, model: ModelId, places: &Places) -> Arrangement {
         let [smallest, largest] = places.scale;
         let id = CloudId::new(&mut plan.next_id);
         plan.insert_cloud(Cloud {
-            id,
             name: names.free(&model.name),
-            model: model.id,
             position: places.center + DVec3::new(aside.x, (rise - 0.5) * places.altitude_spread_m, -aside.y),
             heading_deg: if places.random_heading { 360.0 * turn } else { 0.0 },
             scale: smallest + (largest - smallest) * growth,
-            seed: None,
-            formation: None,
+            ..Cloud::new(id, model, places.center)
         });
         plan.made.push(Thing::Cloud(id));
     }

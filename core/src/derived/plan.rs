@@ -7,6 +7,7 @@ use crate::scene::{Cloud, CloudBox, CloudModel, GroupId, GroupLight, ModelId, Sc
 use crate::sprites::{PLACING, PlacedCloud, STREWING, dress, place_watched, populate_watched, stand_alike};
 use crate::version::Version;
 use crate::watch::Watch;
+use crate::weather::Timeline;
 use rayon::prelude::*;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
@@ -16,6 +17,9 @@ use std::sync::Arc;
 #[derive(Debug)]
 pub struct Plan<'a> {
     before: &'a Derived,
+    scene: &'a Scene,
+    /// Whether what moves with the clock is to be made anew.
+    retimes: bool,
     ground_altitude_m: Option<f64>,
     /// Models whose sprites stay.
     kept: FxHashMap<Key, Populated>,
@@ -30,7 +34,7 @@ pub struct Plan<'a> {
 enum Step<'a> {
     /// The one of that position before, as it was.
     Keep(usize),
-    /// The one of that position before with the same sprites, but another place, light, colours, name or formation.
+    /// The one of that position before with the same sprites, but another place, light, colours or name.
     Dress(usize, &'a Arc<Cloud>, Populated),
     Place(&'a Arc<Cloud>, Key),
 }
@@ -49,6 +53,8 @@ impl<'a> Plan<'a> {
         let ground_altitude_m = scene.ground.as_ref().map(|ground| ground.altitude_m);
         let mut plan = Self {
             before,
+            scene,
+            retimes: change.touches_weather(),
             ground_altitude_m,
             kept: FxHashMap::default(),
             fresh: Vec::new(),
@@ -98,10 +104,8 @@ impl<'a> Plan<'a> {
             && self.keeps_sprites(old, cloud, populated)
         {
             let (placed, source) = (&self.before.clouds[old], &self.before.sources[old]);
-            let as_it_was = placed.name == cloud.name
-                && source.cloud.position == cloud.position
+            let as_it_was = source.cloud == *cloud
                 && placed.color_levels == populated.model.color_levels
-                && placed.formation == cloud.formation
                 && same_light(&source.populated.model, &populated.model);
             let step = if as_it_was { Step::Keep(old) } else { Step::Dress(old, cloud, populated.clone()) };
             return self.clouds.push(step);
@@ -137,7 +141,7 @@ impl<'a> Plan<'a> {
         watch.expect(self.work);
         // The pool may be busy with a picture, and a frame of the window must not wait for that.
         let in_parallel = !self.is_little();
-        let Self { before, ground_altitude_m, mut kept, fresh, clouds, .. } = self;
+        let Self { before, scene, retimes, ground_altitude_m, mut kept, fresh, clouds, .. } = self;
         let mut work = before.work;
         work.models_populated += fresh.len() as u64;
         let fresh = map_all(fresh, in_parallel, |((id, seed), model)| {
@@ -157,7 +161,7 @@ impl<'a> Plan<'a> {
             Step::Dress(old, cloud, populated) => {
                 let had = &before.sources[old];
                 let keeps = [had.cloud.position == cloud.position, same_light(&had.populated.model, &populated.model)];
-                let model = (&*populated.model, &*populated.sprites);
+                let model = (&populated.model, &*populated.sprites);
                 let dressed = dress(&before.clouds[old], cloud, model, keeps);
                 Some((dressed, Source { cloud: Arc::clone(cloud), ground_altitude_m, populated }))
             }
@@ -180,7 +184,8 @@ impl<'a> Plan<'a> {
         } else {
             Arc::new(clouds.iter().enumerate().map(index_of).collect())
         };
-        Some(Derived { index, shapes, clouds, sources, version, populated: kept, work })
+        let timeline = if retimes { Arc::new(Timeline::new(scene)) } else { Arc::clone(&before.timeline) };
+        Some(Derived { index, shapes, timeline, clouds, sources, version, populated: kept, work })
     }
 }
 

@@ -21,6 +21,8 @@ macro_rules! edits {
             Sun(Sun),
             /// Light, air and exposure.
             Sky(Sky),
+            /// Wind and air.
+            Weather(Weather),
             /// The ground, or none.
             Ground(Option<Ground>),
             /// The scene's own sheet of tiles, or none.
@@ -46,6 +48,7 @@ macro_rules! edits {
                     Self::Place(place) => Self::Place(replace(&mut scene.place, place)),
                     Self::Sun(sun) => Self::Sun(replace(&mut scene.sun, sun)),
                     Self::Sky(sky) => Self::Sky(replace(&mut scene.sky, sky)),
+                    Self::Weather(weather) => Self::Weather(replace(&mut scene.weather, weather)),
                     Self::Ground(ground) => Self::Ground(replace(&mut scene.ground, ground)),
                     Self::Atlas(atlas) => Self::Atlas(replace(&mut scene.atlas, atlas)),
                     Self::Box(model, edit) => Self::Box(model, edit.apply(&mut model_mut(scene, model)?.boxes, "box")?),
@@ -65,6 +68,7 @@ macro_rules! edits {
                     Self::Place(_) => "Place and date",
                     Self::Sun(_) => "Sun",
                     Self::Sky(_) => "Sky",
+                    Self::Weather(_) => "Weather",
                     Self::Ground(_) => "Ground",
                     Self::Atlas(_) => "Atlas",
                     Self::Box(..) => "Box",
@@ -156,13 +160,17 @@ impl Edit {
         let mut change = Change::default();
         match self {
             Self::Ground(_) => change.ground = true,
+            Self::Weather(_) => (change.head, change.weather) = (true, true),
             Self::Name(_) | Self::TimeOfDay(_) | Self::Place(_) | Self::Sun(_) | Self::Sky(_) | Self::Atlas(_) => {
                 change.head = true;
             }
             Self::NextId(_) => {}
             // What a model consists of is touched as a whole.
             Self::Box(model, _) | Self::Group(model, _) => change.things.extend([Thing::Model(*model)]),
-            listed => change.things.extend(listed.of_thing().map(|(thing, _)| thing)),
+            listed => {
+                change.weather = matches!(listed, Self::Track(_));
+                change.things.extend(listed.of_thing().map(|(thing, _)| thing));
+            }
         }
         // The counter goes with the lists: what they may hold depends on it.
         change.lists = self.replaces().is_none_or(|part| part == Part::NextId);
@@ -178,6 +186,7 @@ impl Edit {
             Self::Place(_) => Part::Place,
             Self::Sun(_) => Part::Sun,
             Self::Sky(_) => Part::Sky,
+            Self::Weather(_) => Part::Weather,
             Self::Ground(_) => Part::Ground,
             Self::Atlas(_) => Part::Atlas,
             listed => match listed.of_thing()? {
@@ -197,6 +206,7 @@ pub(super) enum Part {
     Place,
     Sun,
     Sky,
+    Weather,
     Ground,
     Atlas,
     Thing(Thing),

@@ -27,6 +27,7 @@ impl Edit {
             Owner::Sky => Self::Sky(set.whole(Some(&scene.sky))?),
             Owner::AmbientKey(i) => Self::Sky(set.part(Some(&scene.sky), |sky| sky.ambient.keys.get_mut(i))?),
             Owner::DirectionalKey(i) => Self::Sky(set.part(Some(&scene.sky), |sky| sky.directional.keys.get_mut(i))?),
+            Owner::Weather => Self::Weather(set.whole(Some(&scene.weather))?),
             Owner::Ground => Self::Ground(Some(set.whole(scene.ground.as_ref())?)),
             Owner::Level(id, i) => {
                 let model = set.part(scene.model(id), |model| model.color_levels.get_mut(i))?;

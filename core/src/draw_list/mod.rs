@@ -125,15 +125,17 @@ impl DrawList {
         let sprites = clouds.par_iter().enumerate().flat_map_iter(|(cloud_index, cloud)| {
             let placed = cloud.placed;
             let offset = cloud.from_eye(view.eye);
-            let seen = view.sees_sphere(offset + cloud.center_now(), placed.reach * cloud.stretch())
+            let seen = view.sees_sphere(offset + cloud.center_now(), cloud.reach_now())
                 && !hidden.clouds.contains(&placed.id)
                 && cloud.shows();
             let of_cloud: &[_] = if seen { &placed.sprites } else { &[] };
             let mut posed = poses.of_cloud(cloud_index).iter().zip(first_pose[cloud_index]..).peekable();
             of_cloud.iter().zip(0..).filter_map(move |(sprite, index)| {
                 let pose = posed.next_if(|(posed, _)| posed.sprite == index);
-                let center = offset + cloud.position_now(sprite);
-                let shows = view.sees_sphere(center, sprite.reach())
+                let now = cloud.sprite_now(index as usize);
+                let center = offset + now.position;
+                let shows = view.sees_sphere(center, now.reach())
+                    && cloud.condensed(index as usize) > 0.0
                     && pose.is_none_or(|(posed, _)| posed.pose.fade > 0.0)
                     && !(some_boxes && hidden.boxes.contains(&sprite.box_id))
                     && subset.has(cloud_index, sprite, index);
@@ -149,8 +151,8 @@ impl DrawList {
     pub(crate) fn of_all(clouds: &[CloudNow<'_>], view: &View) -> Self {
         let all = clouds.iter().zip(0..).flat_map(|(cloud, cloud_index)| {
             let offset = cloud.from_eye(view.eye);
-            cloud.placed.sprites.iter().zip(0..).map(move |(sprite, index)| {
-                let center = offset + cloud.position_now(sprite);
+            (0..cloud.placed.sprites.len() as u32).map(move |index| {
+                let center = offset + cloud.sprite_now(index as usize).position;
                 DrawSprite { cloud: cloud_index, sprite: index, center, pose: FACES_EYE }
             })
         });

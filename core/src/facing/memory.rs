@@ -115,14 +115,14 @@ impl ToEye {
 
     /// Whether some sprite may be within its shell.
     fn is_near(&self, cloud: &CloudNow<'_>) -> bool {
-        let reach = cloud.placed.radius * cloud.stretch() + lock_reach(cloud.placed.largest);
+        let reach = cloud.radius_now() + lock_reach(cloud.largest_now());
         (self.now - cloud.center_now()).length() < reach + self.nearest
     }
 
     /// Whether some sprite may be near straight above or below the eye: the cone around the pole, widened by the sphere
     /// that holds the centres.
     fn is_polar(&self, cloud: &CloudNow<'_>) -> bool {
-        let (center, radius) = (self.now - cloud.center_now(), cloud.placed.radius * cloud.stretch());
+        let (center, radius) = (self.now - cloud.center_now(), cloud.radius_now());
         let across = glam::Vec2::new(center.x, center.z).length();
         across - radius < POLAR_TANGENT * (center.y.abs() + radius)
     }
@@ -137,9 +137,10 @@ impl ToEye {
         mut found: impl FnMut(Remembered, bool),
     ) {
         let mut before = before.iter().peekable();
-        for (sprite, index) in cloud.placed.sprites.iter().zip(0..) {
+        for index in 0..cloud.placed.sprites.len() as u32 {
+            let sprite = cloud.sprite_now(index as usize);
             let remembered = before.next_if(|remembered| remembered.sprite == index);
-            let position = cloud.position_now(sprite);
+            let position = sprite.position;
             let to_eye = self.now - position;
             let distance_squared = to_eye.length_squared();
             let shell = rule.reach * lock_distance(sprite.radius());

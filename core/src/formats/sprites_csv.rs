@@ -4,8 +4,9 @@
 
 use crate::color::Rgba;
 use crate::posed_sprite::Still;
-use crate::sprites::PlacedCloud;
 use crate::watch::Watch;
+use crate::weather::CloudNow;
+use glam::Vec3;
 use std::io::{self, Write};
 
 const CORNER_NAMES: [&str; 4] = ["top_left", "top_right", "bottom_right", "bottom_left"];
@@ -15,8 +16,8 @@ const CORNER_NAMES: [&str; 4] = ["top_left", "top_right", "bottom_right", "botto
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(out: &mut impl Write, clouds: &[PlacedCloud], shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
-    watch.expect(clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum());
+pub fn write(out: &mut impl Write, clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
+    watch.expect(clouds.iter().map(|cloud| cloud.placed.sprites.len() as u64).sum());
     write!(out, "cloud,name,category,box,index,x,y,z,width,height,rotation_deg,tile,group")?;
     if shaded.is_some() {
         for name in CORNER_NAMES {
@@ -27,14 +28,15 @@ pub fn write(out: &mut impl Write, clouds: &[PlacedCloud], shaded: Option<Still<
     }
     writeln!(out)?;
     for cloud in clouds {
-        let name = quoted(&cloud.name);
-        for sprite in watch.along(1, cloud.sprites.iter()) {
-            let position = cloud.origin + sprite.position.as_dvec3();
+        let name = quoted(&cloud.placed.name);
+        for index in watch.along(1, &(0..cloud.placed.sprites.len()).collect::<Vec<_>>()) {
+            let sprite = cloud.sprite_now(*index);
+            let position = cloud.origin() + sprite.position.as_dvec3();
             write!(
                 out,
                 "{},{name},{},{},{},{:.4},{:.4},{:.4},{},{},{},{},{}",
-                cloud.id,
-                cloud.category.name(),
+                cloud.placed.id,
+                cloud.placed.category.name(),
                 sprite.box_id,
                 sprite.index,
                 position.x,
@@ -44,10 +46,10 @@ pub fn write(out: &mut impl Write, clouds: &[PlacedCloud], shaded: Option<Still<
                 sprite.height,
                 sprite.rotation.to_degrees(),
                 sprite.tile,
-                cloud.groups[sprite.group as usize].key
+                cloud.groups()[sprite.group as usize].key
             )?;
-            if let Some(posed) = shaded.map(|still| still.posed(cloud, sprite)) {
-                for corner in posed.corners(sprite.position) {
+            if let Some(posed) = shaded.map(|still| still.posed(cloud, *index)) {
+                for corner in posed.corners(Vec3::ZERO) {
                     let Rgba { rgb, a } = posed.light_at(corner).color();
                     write!(out, ",{},{},{},{a}", rgb.r, rgb.g, rgb.b)?;
                 }

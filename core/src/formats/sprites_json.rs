@@ -7,8 +7,9 @@ use super::pretty_json::LongObject;
 use crate::color::{Rgb, Rgba, shortest_f64};
 use crate::posed_sprite::{PosedSprite, Still};
 use crate::scene::{BoxId, ColorLevel};
-use crate::sprites::{Group, PlacedCloud, Sprite};
+use crate::sprites::Group;
 use crate::watch::Watch;
+use crate::weather::CloudNow;
 use glam::{DVec3, Vec3};
 use serde::Serialize;
 use serde_json::to_value;
@@ -66,8 +67,8 @@ struct CornerOut {
 ///
 /// # Errors
 /// Those of `out`. None of its own in practice: every number of a placed cloud is finite.
-pub fn write(out: &mut impl Write, clouds: &[PlacedCloud], shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
-    watch.expect(clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum());
+pub fn write(out: &mut impl Write, clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
+    watch.expect(clouds.iter().map(|cloud| cloud.placed.sprites.len() as u64).sum());
     let mut file = LongObject::begin(out, 0)?;
     file.field("format", &"cloudwright-sprites".into())?;
     file.field("version", &1.into())?;
@@ -85,30 +86,33 @@ pub fn write(out: &mut impl Write, clouds: &[PlacedCloud], shaded: Option<Still<
     writeln!(out)
 }
 
-fn write_cloud(out: &mut impl Write, cloud: &PlacedCloud, shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
-    let levels = cloud.color_levels.map(|ColorLevel { height, color }| LevelOut { height, rgba: color });
-    let altitude = |y: f32| ten_thousandths(cloud.origin.y + f64::from(y));
+fn write_cloud(out: &mut impl Write, cloud: &CloudNow<'_>, shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
+    let placed = cloud.placed;
+    let levels = cloud.color_levels().map(|ColorLevel { height, color }| LevelOut { height, rgba: color });
+    let altitude = |y: f32| ten_thousandths(cloud.origin().y + f64::from(cloud.point_now(placed.center.with_y(y)).y));
     let mut object = LongObject::begin(out, 4)?;
-    object.field("id", &to_value(cloud.id)?)?;
-    object.field("name", &cloud.name.as_str().into())?;
-    object.field("category", &to_value(cloud.category)?)?;
-    object.field("center", &to_value(in_world(cloud, cloud.center))?)?;
-    object.field("radius", &shortest_f64(cloud.radius).into())?;
-    object.field("bottom", &altitude(cloud.bottom).into())?;
-    object.field("top", &altitude(cloud.top).into())?;
+    object.field("id", &to_value(placed.id)?)?;
+    object.field("name", &placed.name.as_str().into())?;
+    object.field("category", &to_value(placed.category)?)?;
+    object.field("center", &to_value(in_world(cloud, cloud.center_now()))?)?;
+    object.field("radius", &shortest_f64(placed.radius * cloud.scale).into())?;
+    object.field("bottom", &altitude(placed.bottom).into())?;
+    object.field("top", &altitude(placed.top).into())?;
     object.field("color_levels", &to_value(levels)?)?;
-    object.list("groups", cloud.groups.iter(), |group| to_value(group_out(cloud, group)))?;
-    let sprites = watch.along(1, cloud.sprites.iter());
-    object.list("sprites", sprites, |sprite| to_value(sprite_out(cloud, sprite, shaded)))?;
+    object.list("groups", cloud.groups().iter(), |group| to_value(group_out(cloud, group)))?;
+    let indices: Vec<usize> = (0..placed.sprites.len()).collect();
+    let sprites = watch.along(1, &indices);
+    object.list("sprites", sprites, |index| to_value(sprite_out(cloud, *index, shaded)))?;
     object.end()
 }
 
-fn group_out(cloud: &PlacedCloud, group: &Group) -> GroupOut {
+fn group_out(cloud: &CloudNow<'_>, group: &Group) -> GroupOut {
     let [c_min, c_med, c_max] = group.c.map(shortest_f64);
-    GroupOut { id: group.key.to_string(), center: in_world(cloud, group.center), c_min, c_med, c_max }
+    GroupOut { id: group.key.to_string(), center: in_world(cloud, cloud.point_now(group.center)), c_min, c_med, c_max }
 }
 
-fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<Still<'_>>) -> SpriteOut {
+fn sprite_out(cloud: &CloudNow<'_>, index: usize, shaded: Option<Still<'_>>) -> SpriteOut {
+    let sprite = cloud.sprite_now(index);
     SpriteOut {
         box_id: sprite.box_id,
         index: sprite.index,
@@ -117,14 +121,14 @@ fn sprite_out(cloud: &PlacedCloud, sprite: &Sprite, shaded: Option<Still<'_>>) -
         height: shortest_f64(sprite.height),
         rotation_deg: shortest_f64(sprite.rotation.to_degrees()),
         tile: sprite.tile,
-        group: cloud.groups[sprite.group as usize].key.to_string(),
-        corners: shaded.map(|still| corners_out(cloud, &still.posed(cloud, sprite))),
+        group: cloud.groups()[sprite.group as usize].key.to_string(),
+        corners: shaded.map(|still| corners_out(cloud, &still.posed(cloud, index))),
     }
 }
 
-fn corners_out(cloud: &PlacedCloud, posed: &PosedSprite<'_>) -> [CornerOut; 4] {
-    posed.corners(posed.sprite.position).map(|point| {
-        let lit = posed.light_at(point);
+fn corners_out(cloud: &CloudNow<'_>, posed: &PosedSprite<'_>) -> [CornerOut; 4] {
+    posed.corners(Vec3::ZERO).map(|offset| {
+        let (point, lit) = (posed.sprite.position + offset, posed.light_at(offset));
         CornerOut {
             position: in_world(cloud, point),
             height: shortest_f64(lit.height),
@@ -136,8 +140,8 @@ fn corners_out(cloud: &PlacedCloud, posed: &PosedSprite<'_>) -> [CornerOut; 4] {
 }
 
 /// A point of the cloud in the world, to a tenth of a millimetre: f32 holds no more within a cloud.
-fn in_world(cloud: &PlacedCloud, point: Vec3) -> DVec3 {
-    (cloud.origin + point.as_dvec3()).map(ten_thousandths)
+fn in_world(cloud: &CloudNow<'_>, point: Vec3) -> DVec3 {
+    (cloud.origin() + point.as_dvec3()).map(ten_thousandths)
 }
 
 fn ten_thousandths(metres: f64) -> f64 {

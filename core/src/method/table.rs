@@ -7,9 +7,9 @@ use crate::facing::FacingRule;
 use crate::raster::truth::SIDE;
 use crate::rules::{Filter, NEVER_STOP, Rasterizer, Rules};
 use crate::variants::{
-    LOCK_WITHOUT_FADE, NO_LOCK, SIMGEAR, SKYWORKS, STEPPED_AS_PRINTED, STEPPED_MENDED, VIEW_PLANE, WANGS_DOT_PRODUCT,
+    LOCK_WITHOUT_FADE, NO_LOCK, SIMGEAR, SKYWORKS, STEPPED_10, STEPPED_AS_PRINTED, STEPPED_MENDED, VIEW_PLANE, WANGS_DOT_PRODUCT,
 };
-use crate::weather::{FormingRule, Stepped};
+use crate::weather::{FormingRule, Stepped, StreamingRule};
 
 const OURS: Rules = Rules::SHIPPED;
 
@@ -116,6 +116,11 @@ pub const METHODS: &[Method] = &[
         "stepped-mended",
         "Forming by the article's listing, mended but stepped: it depends on the frame rate.",
         stepped(STEPPED_MENDED),
+    ),
+    failing(
+        "stepped-wind",
+        "Edges follow the wind by explicit steps of a tenth of a second: with a lag of less than half of that they fly off.",
+        Rules { streaming: StreamingRule::Stepped(STEPPED_10), ..OURS },
     ),
 ];
 

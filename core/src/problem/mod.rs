@@ -16,9 +16,11 @@ mod numbers_out_of_range;
 mod reversed_ranges;
 mod scope;
 mod too_many_sprites;
+mod tracks;
 mod unused_groups;
 
 pub use too_many_sprites::MAX_SPRITES_TRIED;
+pub use tracks::MAX_KEYS;
 
 use crate::change::Change;
 use crate::scene::Scene;
@@ -76,6 +78,7 @@ const CHECKS: &[fn(Scope<'_>, &mut Vec<Problem>)] = &[
     duplicate_ids::check,
     missing_references::check,
     camera_paths::check,
+    tracks::check,
     too_many_sprites::check,
     unused_groups::check,
     no_cameras::check,

@@ -51,6 +51,7 @@ const OTHERS: &[Table] = &[
     table::<Place>("place", |_| Some(Owner::Place)),
     table::<Sun>("sun", |_| Some(Owner::Sun)),
     table::<Sky>("sky", |_| Some(Owner::Sky)),
+    table::<Weather>("weather", |_| Some(Owner::Weather)),
     table::<DailyKey<Rgba>>("sky/ambient/N", |[i, ..]| Some(Owner::AmbientKey(i.try_into().ok()?))),
     table::<DailyKey<Rgb>>("sky/directional/N", |[i, ..]| Some(Owner::DirectionalKey(i.try_into().ok()?))),
     table::<Ground>("ground", |_| Some(Owner::Ground)),
@@ -84,7 +85,7 @@ const fn table<T: Described>(pattern: &'static str, owner: fn([u64; 3]) -> Optio
 
 impl Table {
     /// The owner that `text` begins with, and what follows.
-    fn read<'a>(&self, text: &'a str) -> Option<(Owner, &'a str)> {
+    pub(super) fn read<'a>(&self, text: &'a str) -> Option<(Owner, &'a str)> {
         let (mut ids, mut count, mut rest) = ([0; 3], 0, text);
         for wanted in self.pattern.split('/').filter(|each| !each.is_empty()) {
             let (segment, after) = rest.split_once('/')?;
@@ -119,11 +120,16 @@ impl Property {
         (self.path, self.parts) == (other.path, other.parts)
     }
 
+    /// What it is called as a whole behind its owner's address.
+    pub fn address_part(&self) -> String {
+        self.path.replace('.', "/")
+    }
+
     /// What the part is called behind its owner's address.
     fn name(&self, part: usize) -> String {
         let part = self.parts.names().get(part).copied().unwrap_or_default();
         let slash = if part.is_empty() { "" } else { "/" };
-        format!("{}{slash}{part}", self.path.replace('.', "/"))
+        format!("{}{slash}{part}", self.address_part())
     }
 
     /// Where the part stands in the file, within the thing at `thing`.

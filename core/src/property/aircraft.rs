@@ -12,7 +12,7 @@ impl Described for Aircraft {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
         setting!(name: text("Name", "For people.")),
         setting!(path: thing("Path", "Along which path it flies.", Kind::Path)),
-        numbers!(ahead_s: number(AIRCRAFT_AHEAD_S)),
-        numbers!(scale: number(SCALE)),
+        numbers!(ahead_s: number(AIRCRAFT_AHEAD_S).keyed()),
+        numbers!(scale: number(SCALE).keyed()),
     ]];
 }

@@ -9,10 +9,10 @@ use crate::scene::Camera;
 impl Described for Camera {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
         setting!(name: text("Name", "What the command line calls it.")),
-        numbers!(position: vector(POSITION)),
-        numbers!(heading_deg: angle(HEADING_DEG)),
-        numbers!(pitch_deg: number(PITCH_DEG)),
-        numbers!(roll_deg: angle(ROLL_DEG)),
-        numbers!(field_of_view_deg: number(FIELD_OF_VIEW_DEG)),
+        numbers!(position: vector(POSITION).keyed()),
+        numbers!(heading_deg: angle(HEADING_DEG).keyed()),
+        numbers!(pitch_deg: number(PITCH_DEG).keyed()),
+        numbers!(roll_deg: angle(ROLL_DEG).keyed()),
+        numbers!(field_of_view_deg: number(FIELD_OF_VIEW_DEG).keyed()),
     ]];
 }

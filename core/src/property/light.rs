@@ -18,7 +18,7 @@ macro_rules! share {
     ($field:ident: $number:expr) => {
         Row::field(
             concat!("light.", stringify!($field)),
-            number($number),
+            number($number).keyed(),
             |thing, _| Some(thing.light().$field),
             |thing, _, share| thing.light_mut().$field = share,
             |thing| Numbers::are_within(&thing.light().$field, const { range_of(&number($number)) }),

@@ -99,9 +99,9 @@ fn usual_cull_radius(kind: &str) -> Option<CullRadius> {
 
 impl Described for ColorLevel {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
-        numbers!(height: number(LEVEL_HEIGHT)),
-        numbers!("color", color.rgb: color(COLOR)),
-        numbers!(color.a: number(ALPHA)),
+        numbers!(height: number(LEVEL_HEIGHT).keyed()),
+        numbers!("color", color.rgb: color(COLOR).keyed()),
+        numbers!(color.a: number(ALPHA).keyed()),
     ]];
 }
 

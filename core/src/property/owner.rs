@@ -1,6 +1,6 @@
 //! What has properties.
 
-use crate::scene::{ModelId, PathId, Thing, kinds};
+use crate::scene::{ModelId, PathId, Scene, Sun, Thing, kinds};
 use std::fmt;
 
 /// What has properties.
@@ -14,6 +14,8 @@ pub enum Owner {
     Sun,
     /// Light, air and exposure.
     Sky,
+    /// Wind and air.
+    Weather,
     /// A key of the ambient light over the day.
     AmbientKey(usize),
     /// A key of the directional light over the day.
@@ -32,6 +34,20 @@ impl Owner {
     /// Whether it is `other`, or part of it.
     pub fn is_within(self, other: Self) -> bool {
         self == other || self.holder().is_some_and(|holder| holder.is_within(other))
+    }
+
+    /// Whether `scene` has it, and it has values to set: a sun by place and time has none.
+    pub fn is_in(self, scene: &Scene) -> bool {
+        match self {
+            Self::Scene | Self::Place | Self::Sky | Self::Weather => true,
+            Self::Sun => scene.sun != Sun::ByPlace,
+            Self::AmbientKey(i) => i < scene.sky.ambient.keys.len(),
+            Self::DirectionalKey(i) => i < scene.sky.directional.keys.len(),
+            Self::Ground => scene.ground.is_some(),
+            Self::Thing(thing) => thing.is_in(scene),
+            Self::Level(id, i) => scene.model(id).is_some_and(|model| i < model.color_levels.len()),
+            Self::Key(id, i) => scene.path(id).is_some_and(|path| i < path.keys.len()),
+        }
     }
 
     /// What it is a part of, below the scene.
@@ -56,6 +72,7 @@ impl fmt::Display for Owner {
             Self::Place => write!(f, "place"),
             Self::Sun => write!(f, "sun"),
             Self::Sky => write!(f, "sky"),
+            Self::Weather => write!(f, "weather"),
             Self::AmbientKey(i) => write!(f, "sky/ambient/{i}"),
             Self::DirectionalKey(i) => write!(f, "sky/directional/{i}"),
             Self::Ground => write!(f, "ground"),

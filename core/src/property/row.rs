@@ -18,6 +18,10 @@ pub struct Property {
     pub parts: Parts,
     /// What holds where it has no value of its own, for those that may have none.
     pub none: Option<&'static str>,
+    /// Whether a track can move it: then nothing that is made on the edit clock depends on it.
+    pub keyed: bool,
+    /// Of numbers that come round: how far apart equal ones lie. A track's may be of any round.
+    pub cycle: Option<f64>,
 }
 
 /// A property of things of type `T`.
@@ -116,6 +120,13 @@ impl<T> Row<T> {
         Ok(())
     }
 
+    /// Gives the part of a row of numbers another one, within its range, whether it has one or not.
+    pub(crate) fn set_number(&self, thing: &mut T, part: usize, number: f64) {
+        if let Access::Numbers { set, .. } = &self.access {
+            set(thing, part, number);
+        }
+    }
+
     /// A row of numbers that are no plain field.
     pub(super) const fn numbers(
         path: &'static str,
@@ -150,12 +161,22 @@ impl<T> Row<T> {
 
 impl Property {
     const fn new(label: &'static str, doc: &'static str, kind: Kind, parts: Parts) -> Self {
-        Self { path: "", label, doc, kind, parts, none: None }
+        Self { path: "", label, doc, kind, parts, none: None, keyed: false, cycle: None }
     }
 
     /// The same at that place in the file.
     pub(super) const fn at(self, path: &'static str) -> Self {
         Self { path, ..self }
+    }
+
+    /// A track can move it.
+    pub(super) const fn keyed(self) -> Self {
+        Self { keyed: true, ..self }
+    }
+
+    /// Its numbers come round.
+    pub(super) const fn cyclic(self, cycle: f64) -> Self {
+        Self { cycle: Some(cycle), ..self }
     }
 
     /// It may have no value of its own; then holds what `none` says.
@@ -177,7 +198,7 @@ pub(super) const fn number(number: Number) -> Property {
 }
 
 pub(super) const fn angle(number: Number) -> Property {
-    Property::new(number.label, number.doc, Kind::Angle(number), Parts::One)
+    Property::new(number.label, number.doc, Kind::Angle(number), Parts::One).cyclic(360.0)
 }
 
 pub(super) const fn integer(number: Number) -> Property {

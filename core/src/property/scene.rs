@@ -8,7 +8,7 @@ use crate::scene::{Place, Scene, Sun};
 
 impl Described for Scene {
     const TABLES: &'static [&'static [Row<Self>]] =
-        &[&[setting!(name: text("Name", "For people.")), numbers!(time_of_day_h: number(TIME_OF_DAY_H))]];
+        &[&[setting!(name: text("Name", "For people.")), numbers!(time_of_day_h: number(TIME_OF_DAY_H).cyclic(24.0).keyed())]];
 }
 
 const LATITUDE_DEG: Number = Number::new("Latitude", &(-90.0..=90.0), "°", "North is positive.");
@@ -47,7 +47,7 @@ impl Described for Sun {
         ),
         Row::numbers(
             "by_hand.heading_deg",
-            angle(HEADING_DEG.called("Sun heading")),
+            angle(HEADING_DEG.called("Sun heading")).keyed(),
             |sun, _| if let Self::ByHand { heading_deg, .. } = sun { Some(*heading_deg) } else { None },
             |sun, _, number| {
                 if let Self::ByHand { heading_deg, .. } = sun {
@@ -57,7 +57,7 @@ impl Described for Sun {
         ),
         Row::numbers(
             "by_hand.elevation_deg",
-            number(ELEVATION_DEG),
+            number(ELEVATION_DEG).keyed(),
             |sun, _| if let Self::ByHand { elevation_deg, .. } = sun { Some(*elevation_deg) } else { None },
             |sun, _, number| {
                 if let Self::ByHand { elevation_deg, .. } = sun {

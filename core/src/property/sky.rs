@@ -22,13 +22,22 @@ const INSIDE_DENSITY: Number = Number::new(
     "How dense the air inside a cloud looks: 0 for none, 1 as dense as its sprites.",
 );
 
+const TUNING_SCALE: Number =
+    Number::new("Light", &(0.0..=100.0), "", "Scales this light at all hours: 1 as the day's table says.");
+const TUNING_TINT: Number =
+    Number::new("Tint", &(0.0..=1000.0), "", "Tints this light at all hours: white leaves it as it is.");
+
 impl Described for Sky {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
-        numbers!(exposure_ev: number(EXPOSURE_EV)),
-        numbers!(turbidity: number(TURBIDITY)),
-        numbers!(gain: number(GAIN)),
-        numbers!(haze_length_m: number(HAZE_LENGTH_M)),
-        numbers!(inside_density: number(INSIDE_DENSITY)),
+        numbers!(exposure_ev: number(EXPOSURE_EV).keyed()),
+        numbers!(turbidity: number(TURBIDITY).keyed()),
+        numbers!(gain: number(GAIN).keyed()),
+        numbers!(haze_length_m: number(HAZE_LENGTH_M).keyed()),
+        numbers!(inside_density: number(INSIDE_DENSITY).keyed()),
+        numbers!(ambient_tuning.scale: number(TUNING_SCALE.called("Ambient light")).keyed()),
+        numbers!(ambient_tuning.tint: color(TUNING_TINT.called("Ambient tint")).keyed()),
+        numbers!(directional_tuning.scale: number(TUNING_SCALE.called("Directional light")).keyed()),
+        numbers!(directional_tuning.tint: color(TUNING_TINT.called("Directional tint")).keyed()),
     ]];
 
     fn enter_parts(&self, _: Owner, place: Arguments<'_>, visitor: &mut impl Visitor) {
@@ -57,7 +66,7 @@ impl Described for DailyKey<Rgb> {
 impl Described for Ground {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
         numbers!(altitude_m: number(POSITION.called("Altitude"))),
-        numbers!(dark: color(COLOR.called("Dark"))),
-        numbers!(bright: color(COLOR.called("Bright"))),
+        numbers!(dark: color(COLOR.called("Dark")).keyed()),
+        numbers!(bright: color(COLOR.called("Bright")).keyed()),
     ]];
 }

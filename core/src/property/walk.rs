@@ -13,6 +13,7 @@ pub fn walk(scene: &Scene, visitor: &mut impl Visitor) {
     enter(Owner::Place, format_args!("place"), &scene.place, visitor);
     enter(Owner::Sun, format_args!("sun"), &scene.sun, visitor);
     enter(Owner::Sky, format_args!("sky"), &scene.sky, visitor);
+    enter(Owner::Weather, format_args!("weather"), &scene.weather, visitor);
     if let Some(ground) = &scene.ground {
         enter(Owner::Ground, format_args!("ground"), ground, visitor);
     }

@@ -102,15 +102,13 @@ fn put_on_screen(frame: &Frame<'_>, sprites: &[DrawSprite], fade: f32, on_screen
 fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite, fade: f32) -> ScreenSprite {
     let view = &frame.view;
     let posed = frame.posed(drawn);
-    let PosedSprite { cloud, sprite, facing, .. } = posed;
+    let PosedSprite { sprite, facing, .. } = posed;
     let quad = posed.corners(drawn.center);
 
-    // Light is taken where the sprite is at rest.
-    let rest = cloud.from_eye(view.eye) + cloud.moved(sprite);
     let hazed = haze_share(drawn.center.length(), frame.background.haze_length_m);
     let haze_color = dome.horizon(drawn.center);
     let lit = quad.map(|corner| {
-        let color = posed.light_at(corner - rest).color();
+        let color = posed.light_at(corner - drawn.center).color();
         (color.rgb * (1.0 - hazed), color.a * fade)
     });
 

@@ -1,6 +1,6 @@
 //! A cloud: a model placed in the scene.
 
-use super::{CloudId, CloudModel, Formation, HasId, InScene, ModelId, Thing};
+use super::{CloudId, CloudModel, Formation, HasId, HowFarFormed, InScene, ModelId, Thing};
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -30,6 +30,25 @@ pub struct Cloud {
     /// How it comes or goes over time; none: it is whole.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub formation: Option<Formation>,
+    /// How far it has formed, whatever the formation says; none: as that says, or whole.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub formed: Option<HowFarFormed>,
+    /// A factor of its sprites' opacity.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub opacity: f64,
+    /// Heights above its base are multiplied with this; sprites keep their size.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub growth: f64,
+    /// How much of the wind's way it goes along, 0 to 1.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub wind_share: f64,
+    /// How much it rises, and grows, with the base that the air's temperature and dew point give, 0 to 1.
+    #[serde(default = "one", skip_serializing_if = "is_one")]
+    pub base_share: f64,
+}
+
+fn is_one(value: &f64) -> bool {
+    *value == one()
 }
 
 fn one() -> f64 {
@@ -48,6 +67,11 @@ impl Cloud {
             scale: 1.0,
             seed: None,
             formation: None,
+            formed: None,
+            opacity: 1.0,
+            growth: 1.0,
+            wind_share: 1.0,
+            base_share: 1.0,
         }
     }
 }

@@ -32,6 +32,22 @@ pub enum FormationChange {
     Dissipating,
 }
 
+/// How far a cloud has formed, as numbers to set or to key. What the file leaves out has its default: the whole cloud.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct HowFarFormed {
+    /// The core's opacity, 0 to 1.
+    pub core: f64,
+    /// How far the edges have come, 0 to 1.
+    pub edges: f64,
+}
+
+impl Default for HowFarFormed {
+    fn default() -> Self {
+        Self { core: 1.0, edges: 1.0 }
+    }
+}
+
 impl Default for Formation {
     fn default() -> Self {
         Self { change: FormationChange::Forming, start_s: 0.0, core_s: 20.0, edges_s: 30.0, threshold: 0.5 }

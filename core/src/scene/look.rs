@@ -24,6 +24,39 @@ pub struct Sky {
     /// How dense the air inside a cloud looks: 0 for none, 1 as dense as the cloud's sprites.
     #[serde(default = "as_its_sprites", skip_serializing_if = "is_as_its_sprites")]
     pub inside_density: f64,
+    /// Scales and tints the ambient light of all hours.
+    #[serde(default, skip_serializing_if = "Tuning::is_default")]
+    pub ambient_tuning: Tuning,
+    /// Scales and tints the directional light of all hours.
+    #[serde(default, skip_serializing_if = "Tuning::is_default")]
+    pub directional_tuning: Tuning,
+}
+
+/// What the light of a whole day is multiplied with.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields, default)]
+pub struct Tuning {
+    /// How much of it there is: 1 as the day's table says.
+    pub scale: f64,
+    /// A colour that it passes through: white leaves it as it is.
+    pub tint: Rgb,
+}
+
+impl Default for Tuning {
+    fn default() -> Self {
+        Self { scale: 1.0, tint: Rgb::grey(1.0) }
+    }
+}
+
+impl Tuning {
+    fn is_default(&self) -> bool {
+        *self == Self::default()
+    }
+
+    /// Of a light.
+    pub fn of(&self, light: Rgb) -> Rgb {
+        light * self.tint * self.scale as f32
+    }
 }
 
 fn as_its_sprites() -> f64 {
@@ -78,6 +111,8 @@ impl Default for Sky {
             haze_length_m: 26_000.0,
             exposure_ev: 0.0,
             inside_density: as_its_sprites(),
+            ambient_tuning: Tuning::default(),
+            directional_tuning: Tuning::default(),
         }
     }
 }

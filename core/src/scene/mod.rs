@@ -21,6 +21,8 @@ mod model;
 mod shading_group;
 mod sun;
 mod thing;
+mod track;
+mod weather;
 
 pub use aircraft::Aircraft;
 pub use camera::Camera;
@@ -30,16 +32,18 @@ pub use cloud::Cloud;
 pub use cloud_box::{CloudBox, SpriteEdit};
 pub use color_levels::{ColorLevel, ColorLevels};
 pub use daily_table::{DailyKey, DailyTable};
-pub use formation::{Formation, FormationChange};
+pub use formation::{Formation, FormationChange, HowFarFormed};
 pub use ids::*;
 pub(crate) use kinds::kinds;
 pub use list::List;
 pub use listed::{ForKind, Listed, for_each_kind};
-pub use look::{Ground, Sky};
+pub use look::{Ground, Sky, Tuning};
 pub use model::{CloudModel, CullRadius};
 pub use shading_group::{GroupCenter, GroupLight, ShadingGroup};
 pub use sun::{Date, Place, Sun};
 pub use thing::{InScene, PoseMut, Thing};
+pub use track::{Beyond, Handles, KeyValue, Leaves, Track, TrackKey};
+pub use weather::{Region, Weather};
 
 use rustc_hash::FxHashMap;
 use schemars::JsonSchema;
@@ -62,6 +66,9 @@ pub struct Scene {
     pub sun: Sun,
     /// Light, air and exposure.
     pub sky: Sky,
+    /// The air that clouds move in.
+    #[serde(default, skip_serializing_if = "Weather::is_default")]
+    pub weather: Weather,
     /// What lies below; none for a scene in empty air.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub ground: Option<Ground>,
@@ -83,6 +90,9 @@ pub struct Scene {
     /// Aircraft that fly along the paths.
     #[serde(default, skip_serializing_if = "List::is_empty")]
     pub aircraft: List<Aircraft>,
+    /// What the scene's clock moves.
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub tracks: List<Track>,
 }
 
 impl Scene {
@@ -129,6 +139,7 @@ impl Default for Scene {
             place: Place::default(),
             sun: Sun::default(),
             sky: Sky::default(),
+            weather: Weather::default(),
             ground: Some(Ground::default()),
             atlas: None,
             cameras: vec![camera].into(),
@@ -136,6 +147,7 @@ impl Default for Scene {
             clouds: List::new(),
             paths: List::new(),
             aircraft: List::new(),
+            tracks: List::new(),
         }
     }
 }

@@ -36,7 +36,7 @@ impl CornerLight {
 pub fn corner_light(point: Vec3, cloud: &CloudNow<'_>, group: &Group, light: &Light) -> CornerLight {
     let placed = cloud.placed;
     let height = placed.height_of(point.y);
-    let level = level_color(&placed.color_levels, height);
+    let level = level_color(cloud.color_levels(), height);
     let opacity = cloud.opacity_at(placed.radii_of(point));
     CornerLight {
         height,
@@ -44,7 +44,8 @@ pub fn corner_light(point: Vec3, cloud: &CloudNow<'_>, group: &Group, light: &Li
             rgb: level.rgb * light.ambient_max.rgb,
             a: (level.a * light.ambient_max.a).clamp(0.0, 1.0) * opacity,
         },
-        directional: light.directional_max * directional_share(point - group.center, group.c, light.sun_direction),
+        directional: light.directional_max
+            * directional_share(point - group.center, group.c, cloud.direction_at_rest(light.sun_direction)),
     }
 }
 

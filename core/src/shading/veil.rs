@@ -35,17 +35,19 @@ pub fn veil(
     for (index, cloud) in clouds.iter().enumerate().filter(|(_, cloud)| !hidden.clouds.contains(&cloud.placed.id)) {
         let eye = (view.eye - cloud.origin()).as_vec3();
         for posed in poses.of_cloud(index) {
-            let sprite = &cloud.placed.sprites[posed.sprite as usize];
+            let (rest, sprite) = (&cloud.placed.sprites[posed.sprite as usize], cloud.sprite_now(posed.sprite as usize));
             let gone = 1.0 - posed.pose.fade;
             if gone <= 0.0
-                || cloud.position_now(sprite).distance(eye) > lock_reach(sprite.radius())
+                || sprite.position.distance(eye) > lock_reach(sprite.radius())
                 || hidden.boxes.contains(&sprite.box_id)
             {
                 continue;
             }
-            let group = &cloud.placed.groups[sprite.group as usize];
-            let color = corner_light(eye - cloud.moved(sprite), cloud, group, light).color();
-            let opacity = (color.a * atlas.mean_opacity(sprite.tile.into())).min(MOST_OPAQUE);
+            let group = &cloud.groups()[sprite.group as usize];
+            let point = rest.position + cloud.at_rest_from(eye - sprite.position);
+            let color = corner_light(point, cloud, group, light).color();
+            let condensed = cloud.condensed(posed.sprite as usize);
+            let opacity = (color.a * condensed * atlas.mean_opacity(sprite.tile.into())).min(MOST_OPAQUE);
             let share = -libm::log1pf(-opacity) * BEFORE_THE_EYE * gone;
             depth += share;
             lit = lit + color.rgb * share;

@@ -9,6 +9,7 @@ mod candidates;
 mod cull;
 mod place;
 mod shapes;
+mod stir;
 
 pub use atlas::{Atlas, AtlasError, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
 pub(crate) use atlas::{FootprintTable, LEVEL_START, TABLE};
@@ -18,6 +19,7 @@ pub use place::{Group, GroupKey, PlacedCloud, Sprite, place};
 pub(crate) use place::{dress, heading_turn, place_watched, stand_alike};
 pub(crate) use shapes::Known;
 pub use shapes::Shapes;
+pub use stir::Stir;
 
 use crate::scene::CloudModel;
 use crate::watch::Watch;

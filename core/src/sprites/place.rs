@@ -3,9 +3,10 @@
 //! Positions are kept in f32 relative to the cloud's own f64 position: a cloud 1,000 km from the origin is as sharp as
 //! one at the origin.
 
+use super::stir::Stirs;
 use super::{Candidate, PopulatedModel};
 use crate::scene::{
-    BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, Formation, GroupCenter, GroupId, GroupLight,
+    BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight,
 };
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
@@ -108,8 +109,12 @@ pub struct PlacedCloud {
     pub top: f32,
     /// Ambient light over the height.
     pub color_levels: ColorLevels,
-    /// How it comes or goes over time; none: it is whole.
-    pub formation: Option<Formation>,
+    /// What was placed.
+    pub cloud: Arc<Cloud>,
+    /// Its model.
+    pub model: Arc<CloudModel>,
+    /// What the air makes of its sprites, made when first asked for.
+    pub(crate) stirs: Stirs,
 }
 
 impl PlacedCloud {
@@ -130,8 +135,8 @@ impl PlacedCloud {
 /// With a ground (its world altitude in metres), sprites whose quads would cut it are lifted until they stand on it;
 /// hand-moved ones stay where they are.
 pub fn place(
-    cloud: &Cloud,
-    model: &CloudModel,
+    cloud: &Arc<Cloud>,
+    model: &Arc<CloudModel>,
     populated: &PopulatedModel,
     ground_altitude_m: Option<f64>,
 ) -> PlacedCloud {
@@ -140,8 +145,8 @@ pub fn place(
 
 /// The same under a watch; some sprites are missing if that is cancelled.
 pub(crate) fn place_watched(
-    cloud: &Cloud,
-    model: &CloudModel,
+    cloud: &Arc<Cloud>,
+    model: &Arc<CloudModel>,
     populated: &PopulatedModel,
     ground_altitude_m: Option<f64>,
     watch: &Watch,
@@ -196,7 +201,9 @@ pub(crate) fn place_watched(
         groups,
         sprites,
         color_levels: model.color_levels,
-        formation: cloud.formation,
+        cloud: Arc::clone(cloud),
+        model: Arc::clone(model),
+        stirs: Stirs::default(),
     }
 }
 
@@ -205,8 +212,8 @@ pub(crate) fn place_watched(
 /// given; [`stand_alike`] tells.
 pub(crate) fn dress(
     placed: &PlacedCloud,
-    cloud: &Cloud,
-    (model, populated): (&CloudModel, &PopulatedModel),
+    cloud: &Arc<Cloud>,
+    (model, populated): (&Arc<CloudModel>, &PopulatedModel),
     [keeps_place, keeps_light]: [bool; 2],
 ) -> PlacedCloud {
     let space = || Space::of(cloud, populated);
@@ -221,7 +228,8 @@ pub(crate) fn dress(
         groups,
         name: cloud.name.clone(),
         color_levels: model.color_levels,
-        formation: cloud.formation,
+        cloud: Arc::clone(cloud),
+        model: Arc::clone(model),
         ..placed.clone()
     }
 }

@@ -8,7 +8,9 @@ pub mod eight_bits;
 mod facing;
 mod sorting;
 mod stepped_fade;
+mod stepped_streaming;
 
 pub use facing::{LOCK_WITHOUT_FADE, NO_LOCK, VIEW_PLANE, WANGS_DOT_PRODUCT};
 pub use sorting::{SIMGEAR, SKYWORKS};
 pub use stepped_fade::{Listing, STEPPED_AS_PRINTED, STEPPED_MENDED, SteppedFade};
+pub use stepped_streaming::{STEPPED_10, STEPPED_24};

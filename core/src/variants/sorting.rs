@@ -33,7 +33,7 @@ fn bubble(ranks: &mut Ranks, clouds: &[CloudNow<'_>], view: &View) -> bool {
     for (index, (places, cloud)) in ranks.of_cloud.iter().zip(clouds).enumerate() {
         let offset = cloud.from_eye(view.eye);
         for (sprite, place) in places.iter().enumerate() {
-            let distance = (offset + cloud.position_now(&cloud.placed.sprites[sprite])).length_squared();
+            let distance = (offset + cloud.sprite_now(sprite).position).length_squared();
             in_order[*place as usize] = (index as u32, sprite as u32, distance);
         }
     }

@@ -11,6 +11,7 @@ use crate::flight::PathCurve;
 use crate::rules::Rules;
 use crate::scene::{Camera, CameraPath};
 use crate::sprites::Shapes;
+use crate::weather::Timeline;
 use std::sync::Arc;
 
 /// Steps between two states that are kept: ten seconds.
@@ -23,6 +24,8 @@ pub struct Playback {
     rules: Rules,
     /// Of the clouds that it flies through.
     shapes: Option<Shapes>,
+    /// What moves those.
+    timeline: Option<Arc<Timeline>>,
     /// The history after `steps` steps; the first is at the path's start.
     history: Arc<ViewHistory>,
     steps: usize,
@@ -35,7 +38,7 @@ impl Playback {
     /// At the start of `path`, by `rules`.
     pub fn new(path: &CameraPath, rules: Rules) -> Self {
         let history = Arc::default();
-        Self { curve: PathCurve::new(path), rules, shapes: None, history, steps: 0, taken: 0, kept: Vec::new() }
+        Self { curve: PathCurve::new(path), rules, shapes: None, timeline: None, history, steps: 0, taken: 0, kept: Vec::new() }
     }
 
     /// How many steps were gone since this was made, those that were gone again included.
@@ -49,13 +52,15 @@ impl Playback {
     }
 
     /// The camera `t_s` seconds from the start, and the history as of the last step not after that. Times beyond the
-    /// path's ends are its ends. The way is gone anew where the clouds' sprites or places are not those of the last time;
+    /// path's ends are its ends. The way is gone anew where the clouds' sprites or places, or what moves them, are not those of the last time;
     /// their colours, light and names are not its affair.
     pub fn seek(&mut self, derived: &Derived, t_s: f64) -> (Camera, &Arc<ViewHistory>) {
         let t_s = if t_s.is_finite() { t_s.clamp(0.0, self.duration_s()) } else { 0.0 };
         // A frame's time in f64 may lie a rounding before the step that it stands for.
         let wanted = libm::floor(t_s / STEP_S + 1e-6) as usize + 1;
-        if self.shapes.as_ref() != Some(derived.shapes()) {
+        let same_timeline = self.timeline.as_ref().is_some_and(|old| Arc::ptr_eq(old, derived.timeline()));
+        if self.shapes.as_ref() != Some(derived.shapes()) || !same_timeline {
+            self.timeline = Some(Arc::clone(derived.timeline()));
             (self.shapes, self.steps, self.history) = (Some(derived.shapes().clone()), 0, Arc::default());
             self.kept.clear();
         }

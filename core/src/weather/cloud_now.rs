@@ -1,16 +1,22 @@
 //! A cloud at a moment: what of it the clock moves.
 //!
 //! A placed cloud is at rest. What the clock makes of it, however it does, is said here for the whole cloud: where it has
-//! been carried, how it has grown, how far it has formed. Where a sprite is now follows ([`CloudNow::position_now`]);
-//! what turns, fades, sorts or bounds sprites goes by that. Their light goes by where they are at rest, so that what moves
-//! doesn't flicker (MODEL §9). The twin in WGSL is render/src/pass/sprites/sprites.wgsl.
+//! been carried, how it is turned, scaled and grown, how far it has formed, and what air it is in. What a sprite is now
+//! follows ([`CloudNow::sprite_now`]); what turns, fades, sorts or bounds sprites goes by that. Their light goes by where
+//! they are at rest, so that what moves doesn't flicker (MODEL §9). The twin in WGSL is
+//! render/src/pass/sprites/sprites.wgsl.
 
-use super::{Formed, FormingRule};
-use crate::sprites::{PlacedCloud, Sprite};
+use super::{AirNow, Formed};
+use crate::scene::ColorLevels;
+use crate::sprites::{Group, PlacedCloud, Sprite, Stir};
 use glam::{DVec3, Vec3};
+use std::sync::Arc;
+
+/// How far a cloud's edges can be carried, in its radius.
+pub const REACH: f32 = 0.5;
 
 /// A cloud at one moment.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone)]
 pub struct CloudNow<'a> {
     /// The cloud at rest.
     pub placed: &'a PlacedCloud,
@@ -18,21 +24,57 @@ pub struct CloudNow<'a> {
     pub formed: Formed,
     /// How far it has been carried from where it is placed, metres along the world's axes.
     pub displacement: DVec3,
+    /// How it is turned about its origin since it was placed, counter-clockwise as seen from above: sine and cosine.
+    pub turn: [f32; 2],
+    /// How much larger it is than as it is placed, its sprites with it.
+    pub scale: f32,
     /// What heights above its bottom are multiplied with: 1 as it is placed. Sprites keep their size.
     pub growth: f32,
     /// A factor of its sprites' alpha, 0 to 1.
     pub opacity: f32,
+    /// Colours and light of its own, if those are not as it was placed.
+    pub look: Option<Arc<Look>>,
+    /// The air that moves its sprites one by one, if it does.
+    pub air: Option<InAir<'a>>,
 }
+
+/// What a cloud looks like.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Look {
+    /// Ambient light over the height.
+    pub color_levels: ColorLevels,
+    /// Shading groups, in the placed cloud's order.
+    pub groups: Arc<[Group]>,
+}
+
+/// The air that a cloud is in.
+#[derive(Debug, Clone, Copy)]
+pub struct InAir<'a> {
+    /// The air.
+    pub air: AirNow,
+    /// What it makes of each of the cloud's sprites.
+    pub stirs: &'a [Stir],
+    /// How far the cloud's edges can be carried, metres.
+    pub reach_m: f32,
+}
+
+/// The turn of a cloud that has not been turned: sine and cosine.
+pub const UNTURNED: [f32; 2] = [0.0, 1.0];
 
 impl<'a> CloudNow<'a> {
     /// The whole cloud as it is placed.
     pub fn at_rest(placed: &'a PlacedCloud) -> Self {
-        Self { placed, formed: Formed::WHOLE, displacement: DVec3::ZERO, growth: 1.0, opacity: 1.0 }
-    }
-
-    /// The cloud at `clock_s`, seconds of the scene's clock, where clouds form by that rule.
-    pub fn at(placed: &'a PlacedCloud, clock_s: f64, forming: FormingRule) -> Self {
-        Self { formed: forming.formed(placed.formation.as_ref(), clock_s), ..Self::at_rest(placed) }
+        Self {
+            placed,
+            formed: Formed::WHOLE,
+            displacement: DVec3::ZERO,
+            turn: UNTURNED,
+            scale: 1.0,
+            growth: 1.0,
+            opacity: 1.0,
+            look: None,
+            air: None,
+        }
     }
 
     /// Where its origin is, metres in the world.
@@ -45,24 +87,92 @@ impl<'a> CloudNow<'a> {
         (self.origin() - eye).as_vec3()
     }
 
-    /// Where that sprite's centre is, metres from the cloud's origin.
-    pub fn position_now(&self, sprite: &Sprite) -> Vec3 {
-        self.point_now(sprite.position)
+    /// Ambient light over the height.
+    pub fn color_levels(&self) -> &ColorLevels {
+        self.look.as_ref().map_or(&self.placed.color_levels, |look| &look.color_levels)
     }
 
-    /// How far that sprite is from where it is at rest, metres; both count from the cloud's origin.
-    pub fn moved(&self, sprite: &Sprite) -> Vec3 {
-        self.position_now(sprite) - sprite.position
+    /// Shading groups.
+    pub fn groups(&self) -> &Arc<[Group]> {
+        self.look.as_ref().map_or(&self.placed.groups, |look| &look.groups)
     }
 
-    /// Where the middle of the sprites' centres is, metres from the cloud's origin.
+    /// The sprite of that index as it is now; its position counts from the cloud's origin.
+    #[inline]
+    pub fn sprite_now(&self, index: usize) -> Sprite {
+        let rest = self.placed.sprites[index];
+        let mut now = Sprite { position: self.point_now(rest.position), ..rest };
+        if self.scale != 1.0 {
+            (now.width, now.height) = (rest.width * self.scale, rest.height * self.scale);
+        }
+        if let Some(InAir { air, stirs, reach_m }) = &self.air {
+            let stir = &stirs[index];
+            let height = self.placed.height_of(rest.position.y);
+            now.position += air.carries(stir, height, *reach_m, now.width.min(now.height));
+            now.rotation += std::f32::consts::TAU * (stir.turn * air.turned);
+        }
+        now
+    }
+
+    /// How much of the sprite of that index there is in this air, 0 to 1; a factor of its alpha.
+    #[inline]
+    pub fn condensed(&self, index: usize) -> f32 {
+        self.air.as_ref().map_or(1.0, |InAir { air, stirs, .. }| air.condensed(&stirs[index]))
+    }
+
+    /// From the centre of a sprite that is now so to a point of its quad, as that lies in the cloud at rest, where light is
+    /// taken; the same directions otherwise.
+    #[inline]
+    pub fn at_rest_from(&self, offset: Vec3) -> Vec3 {
+        let [sin, cos] = self.turn;
+        let turned = if self.turn == UNTURNED {
+            offset
+        } else {
+            Vec3::new(cos * offset.x - sin * offset.z, offset.y, sin * offset.x + cos * offset.z)
+        };
+        if self.scale == 1.0 { turned } else { turned / self.scale }
+    }
+
+    /// A direction of the world as it lies to the cloud at rest.
+    pub fn direction_at_rest(&self, direction: Vec3) -> Vec3 {
+        let [sin, cos] = self.turn;
+        if self.turn == UNTURNED {
+            return direction;
+        }
+        Vec3::new(cos * direction.x - sin * direction.z, direction.y, sin * direction.x + cos * direction.z)
+    }
+
+    /// Where the middle of the sprites' centres is, but for what the air does, metres from the cloud's origin.
     pub fn center_now(&self) -> Vec3 {
         self.point_now(self.placed.center)
     }
 
-    /// What no distance between two points of it has grown by more than.
-    pub fn stretch(&self) -> f32 {
-        self.growth.max(1.0)
+    /// How far from [`Self::center_now`] no sprite's centre lies, metres.
+    pub fn radius_now(&self) -> f32 {
+        let air_m = self.air.as_ref().map_or(0.0, |InAir { air, reach_m, .. }| {
+            air.most_m(*reach_m, 2.0 * self.placed.largest * self.scale)
+        });
+        self.placed.radius * self.stretch() + air_m
+    }
+
+    /// The radius of a sphere about [`Self::center_now`] that holds every quad, metres.
+    pub fn reach_now(&self) -> f32 {
+        let quads = (self.placed.reach - self.placed.radius) * self.scale;
+        if self.stands() { self.placed.reach } else { self.radius_now() + quads.max(0.0) }
+    }
+
+    /// The largest radius of a sprite, metres.
+    pub fn largest_now(&self) -> f32 {
+        self.placed.largest * self.scale
+    }
+
+    /// What no distance between two points of it has grown by more than, but for what the air does.
+    fn stretch(&self) -> f32 {
+        self.growth.max(1.0) * self.scale
+    }
+
+    fn stands(&self) -> bool {
+        self.air.is_none() && self.scale == 1.0 && self.growth == 1.0
     }
 
     /// Opacity at a distance from its centre, in radii and at rest.
@@ -72,16 +182,20 @@ impl<'a> CloudNow<'a> {
 
     /// Whether there is anything of it.
     pub fn shows(&self) -> bool {
-        self.formed.shows() && self.opacity > 0.0
+        self.formed.shows() && self.opacity > 0.0 && self.air.as_ref().is_none_or(|in_air| in_air.air.humidity > -super::CONDENSING)
     }
 
-    fn point_now(&self, point: Vec3) -> Vec3 {
+    /// Where a point of the cloud at rest is now, but for what the air does.
+    #[inline]
+    pub fn point_now(&self, point: Vec3) -> Vec3 {
         // At rest what is added is zero, and every bit stays.
-        Vec3 { y: point.y + (point.y - self.placed.bottom) * (self.growth - 1.0), ..point }
+        let grown = Vec3 { y: point.y + (point.y - self.placed.bottom) * (self.growth - 1.0), ..point };
+        let [sin, cos] = self.turn;
+        let turned = if self.turn == UNTURNED {
+            grown
+        } else {
+            Vec3::new(cos * grown.x + sin * grown.z, grown.y, cos * grown.z - sin * grown.x)
+        };
+        if self.scale == 1.0 { turned } else { turned * self.scale }
     }
-}
-
-/// All of `clouds` at `clock_s`, as [`CloudNow::at`].
-pub fn clouds_now(clouds: &[PlacedCloud], clock_s: f64, forming: FormingRule) -> Vec<CloudNow<'_>> {
-    clouds.iter().map(|cloud| CloudNow::at(cloud, clock_s, forming)).collect()
 }

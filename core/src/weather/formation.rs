@@ -5,7 +5,7 @@
 //! half the radius all is exactly clear until the edges begin, so nothing pops. Dissipating is the same backwards. The
 //! article's listings, which step a state instead, are among the ways that fail.
 
-use crate::scene::{Formation, FormationChange};
+use crate::scene::{Formation, FormationChange, HowFarFormed};
 
 /// By which rule clouds form.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -81,6 +81,25 @@ impl Formed {
         let core = share(run_s, core_s, change);
         let edges = share(run_s - edges_begin_s, edges_s, change);
         Self { core: core as f32, falloff: (2.0 * threshold * (1.0 - edges)) as f32 }
+    }
+
+    /// As far as numbers set by hand say; the core's opacity from which on edges show is the formation's, if there is one.
+    pub fn by_hand(formed: &HowFarFormed, formation: Option<&Formation>) -> Self {
+        let threshold = formation.copied().unwrap_or_default().threshold;
+        Self { core: formed.core as f32, falloff: (2.0 * threshold * (1.0 - formed.edges)) as f32 }
+    }
+
+    /// So far, 0 to 1: the core first, and the edges from where it is half opaque.
+    pub fn of_progress(progress: f32) -> Self {
+        const THRESHOLD: f32 = 0.5;
+        let run = progress * (1.0 + THRESHOLD);
+        Self { core: run.min(1.0), falloff: 2.0 * THRESHOLD * (1.0 - (run - THRESHOLD).clamp(0.0, 1.0)) }
+    }
+
+    /// No further than either.
+    #[must_use]
+    pub fn and(self, other: Self) -> Self {
+        Self { core: self.core.min(other.core), falloff: self.falloff.max(other.falloff) }
     }
 
     /// Opacity at a distance from the cloud's centre, in its radii.

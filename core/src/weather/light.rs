@@ -22,11 +22,12 @@ pub struct Light {
 impl Light {
     /// The light of `scene` at `time_h` (any number; taken modulo 24).
     pub fn at(scene: &Scene, time_h: f64) -> Self {
+        let ambient = scene.sky.ambient.at(time_h, Rgba::mix);
         Self {
             time_h,
             sun_direction: sun_direction(scene.sun, &scene.place, time_h),
-            ambient_max: scene.sky.ambient.at(time_h, Rgba::mix),
-            directional_max: scene.sky.directional.at(time_h, Rgb::mix),
+            ambient_max: Rgba { rgb: scene.sky.ambient_tuning.of(ambient.rgb), ..ambient },
+            directional_max: scene.sky.directional_tuning.of(scene.sky.directional.at(time_h, Rgb::mix)),
         }
     }
 }

@@ -4,14 +4,29 @@
 //! from: sky, light and ground, and of each cloud a [`CloudNow`]. It is a pure function of the scene and the
 //! moment: any instant, in any order, and nothing of it touches the document, or what is derived on the edit clock.
 
+mod air;
 mod cloud_now;
+mod course;
+mod curve;
 mod formation;
 mod light;
+mod lag;
 mod moment;
+mod pieces;
 mod scene_now;
+mod streaming;
+mod sums;
+mod timeline;
+mod wind;
 
-pub use cloud_now::{CloudNow, clouds_now};
+pub use air::{AirNow, CONDENSING, sine};
+pub use cloud_now::{CloudNow, InAir, Look, REACH, UNTURNED};
+pub use course::clouds_now;
+pub use curve::Curve;
 pub use formation::{Formed, FormingRule, Stepped};
 pub use light::{Light, sun_direction};
 pub use moment::Moment;
 pub use scene_now::SceneNow;
+pub use streaming::{StreamingRule, SteppedStreaming};
+pub use timeline::Timeline;
+pub use wind::{FULL_LEAN_MPS, Lean, MOST_LEAN, Wind, WindTracks};

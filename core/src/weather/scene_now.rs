@@ -1,8 +1,7 @@
-//! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers. (Where aircraft are
-//! follows from their paths, when a frame asks for them.)
+//! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
 
-use super::{CloudNow, FormingRule, Light, Moment, clouds_now};
-use crate::scene::{Ground, Scene};
+use super::{CloudNow, Light, Moment, StreamingRule, Timeline, clouds_now, FormingRule};
+use crate::scene::{Aircraft, Ground, List, Scene};
 use crate::sprites::PlacedCloud;
 
 /// A scene at one moment.
@@ -22,23 +21,34 @@ pub struct SceneNow<'a> {
     pub inside_density: f32,
     /// What lies below, if anything.
     pub ground: Option<Ground>,
+    /// The aircraft; where they are follows from their paths, when a frame asks for them.
+    pub aircraft: List<Aircraft>,
     /// The clouds, in their order.
     pub clouds: Vec<CloudNow<'a>>,
 }
 
 impl<'a> SceneNow<'a> {
-    /// `scene`, whose placed `clouds` are, at `moment`, where clouds form by that rule. It follows from these alone.
-    pub fn new(scene: &Scene, clouds: &'a [PlacedCloud], moment: Moment, forming: FormingRule) -> Self {
+    /// `scene`, whose placed `clouds` and `timeline` are, at `moment`, where clouds form and stream by those rules. It
+    /// follows from these alone.
+    pub fn new(
+        scene: &Scene,
+        (clouds, timeline): (&'a [PlacedCloud], &Timeline),
+        moment: Moment,
+        rules: (FormingRule, StreamingRule),
+    ) -> Self {
+        let time_h = moment.time_h.unwrap_or_else(|| timeline.time_of_day_h(scene, moment.clock_s));
+        let scene = timeline.surroundings_at(scene, moment.clock_s);
         let sky = &scene.sky;
         Self {
-            light: Light::at(scene, moment.time_h.unwrap_or(scene.time_of_day_h)),
+            light: Light::at(&scene, time_h),
             exposure: libm::exp2(sky.exposure_ev) as f32,
             turbidity: sky.turbidity as f32,
             sky_gain: sky.gain as f32,
             haze_length_m: (sky.haze_length_m as f32).max(1.0),
             inside_density: sky.inside_density as f32,
             ground: scene.ground.clone(),
-            clouds: clouds_now(clouds, moment.clock_s, forming),
+            aircraft: scene.aircraft.clone(),
+            clouds: clouds_now(clouds, timeline, moment.clock_s, rules),
         }
     }
 }

@@ -1,0 +1,162 @@
+//! The clouds of a scene at a moment: their tracks, the wind that carries them, and where they wrap round.
+
+use super::cloud_now::{InAir, REACH};
+use super::{AirNow, CloudNow, Formed, FormingRule, Look, StreamingRule, Timeline};
+use crate::math::smoothstep;
+use crate::scene::{Cloud, CloudModel, Region, Weather};
+use crate::sprites::{Group, GroupKey, PlacedCloud, heading_turn};
+use glam::{DVec2, DVec3};
+use rayon::prelude::*;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+/// How much higher a base lies for each degree that the dew point is below the temperature, metres (Espy 1841).
+const LIFT_M_PER_C: f64 = 125.0;
+
+/// What is known of a moment before any cloud is looked at.
+struct Course<'a> {
+    timeline: &'a Timeline,
+    clock_s: f64,
+    forming: FormingRule,
+    air: Option<AirNow>,
+    /// Carried by the wind, metres.
+    way_m: DVec2,
+    lift_m: f64,
+    growth: f64,
+    region: Option<Region>,
+}
+
+/// All of `clouds` at `clock_s`, seconds of the scene's clock, by its `timeline`; clouds form and stream by those rules.
+pub fn clouds_now<'a>(
+    clouds: &'a [PlacedCloud],
+    timeline: &Timeline,
+    clock_s: f64,
+    (forming, streaming): (FormingRule, StreamingRule),
+) -> Vec<CloudNow<'a>> {
+    let weather = timeline.weather_at(clock_s);
+    let rest = timeline.weather();
+    let wind = timeline.wind();
+    let spread_c = |weather: &Weather| weather.temperature_c - weather.dew_point_c;
+    let course = Course {
+        timeline,
+        clock_s,
+        forming,
+        air: streaming.air(&weather, wind, clock_s),
+        way_m: wind.map_or(DVec2::ZERO, |wind| wind.way_m(clock_s)),
+        lift_m: LIFT_M_PER_C * (spread_c(&weather) - spread_c(rest)),
+        growth: weather.growth,
+        region: rest.region.filter(|_| wind.is_some()),
+    };
+    if course.air.is_some() {
+        // Made once, by all cores.
+        clouds.par_iter().for_each(|cloud| {
+            cloud.stirs();
+        });
+    }
+    let mut now: Vec<CloudNow<'_>> = clouds.iter().map(|placed| course.cloud(placed)).collect();
+    course.keyed_clouds(&mut now);
+    course.keyed_looks(&mut now);
+    now
+}
+
+impl<'a> Course<'_> {
+    /// A cloud without a track.
+    fn cloud(&self, placed: &'a PlacedCloud) -> CloudNow<'a> {
+        let way_m = self.way_m * placed.cloud.wind_share;
+        self.as_keyed(placed, &placed.cloud, way_m)
+    }
+
+    /// A cloud that is `now` what its tracks make of it.
+    fn as_keyed(&self, placed: &'a PlacedCloud, now: &Cloud, way_m: DVec2) -> CloudNow<'a> {
+        let rest = &placed.cloud;
+        let mut cloud = CloudNow::at_rest(placed);
+        cloud.formed = match now.formed {
+            Some(formed) => Formed::by_hand(&formed, now.formation.as_ref()),
+            None => self.forming.formed(now.formation.as_ref(), self.clock_s),
+        };
+        cloud.opacity = now.opacity as f32;
+        cloud.growth = (now.growth * (1.0 + (self.growth - 1.0) * now.base_share)) as f32;
+        if now.heading_deg != rest.heading_deg || now.scale != rest.scale || now.position != rest.position {
+            self.replace(&mut cloud, now);
+        }
+        cloud.displacement.y += self.lift_m * now.base_share;
+        if way_m != DVec2::ZERO {
+            cloud.displacement += DVec3::new(way_m.x, 0.0, way_m.y);
+        }
+        if let Some(region) = &self.region
+            && now.wind_share > 0.0
+        {
+            cloud.formed = cloud.formed.and(wrap(region, &mut cloud));
+        }
+        cloud.air = self.air.map(|air| InAir { air, stirs: placed.stirs(), reach_m: REACH * placed.radius * cloud.scale });
+        cloud
+    }
+
+    /// Puts it where `now` has it: turned and scaled about where its model's origin stands.
+    fn replace(&self, cloud: &mut CloudNow<'_>, now: &Cloud) {
+        let placed = cloud.placed;
+        let rest = &placed.cloud;
+        let turn = heading_turn(now.heading_deg - rest.heading_deg);
+        let (scale, arm) = (now.scale / rest.scale, placed.origin - rest.position);
+        cloud.displacement = now.position + turn * (arm * scale) - placed.origin;
+        // About +y by twice the half-angle that the quaternion holds.
+        let (half_sin, half_cos) = (turn.y, turn.w);
+        cloud.turn =
+            [(2.0 * half_sin * half_cos) as f32, (half_cos * half_cos - half_sin * half_sin) as f32];
+        cloud.scale = scale as f32;
+    }
+
+    fn keyed_clouds(&self, clouds: &mut [CloudNow<'a>]) {
+        if !self.timeline.moves_clouds() {
+            return;
+        }
+        for cloud in clouds {
+            if let Some(now) = self.timeline.cloud_at(&cloud.placed.cloud, self.clock_s) {
+                let shared = self.timeline.way_m(cloud.placed.id, self.clock_s);
+                let way_m = shared.unwrap_or(self.way_m * now.wind_share);
+                *cloud = self.as_keyed(cloud.placed, &now, way_m);
+            }
+        }
+    }
+
+    /// Colours and light of models that have tracks of them.
+    fn keyed_looks(&self, clouds: &mut [CloudNow<'_>]) {
+        if !self.timeline.moves_looks() {
+            return;
+        }
+        let mut models: FxHashMap<*const CloudModel, Option<CloudModel>> = FxHashMap::default();
+        for cloud in clouds {
+            let rest = &cloud.placed.model;
+            let now = models.entry(Arc::as_ptr(rest)).or_insert_with(|| self.timeline.model_at(rest, self.clock_s));
+            cloud.look = now.as_ref().map(|now| Arc::new(look(cloud.placed, now)));
+        }
+    }
+}
+
+fn look(placed: &PlacedCloud, now: &CloudModel) -> Look {
+    let light = |group: &Group| match group.key {
+        GroupKey::Named(id) => now.groups.with_id(id).map(|group| group.light),
+        GroupKey::Lump(id, _) => now.boxes.with_id(id).map(|each| each.light),
+    };
+    let group = |group: &Group| match light(group) {
+        Some(light) => Group { c: [light.c_min, light.c_med, light.c_max].map(|c| c as f32), ..*group },
+        None => *group,
+    };
+    Look { color_levels: now.color_levels, groups: placed.groups.iter().map(group).collect() }
+}
+
+/// Brings a cloud that has drifted out of `region` in again on the other side, and tells how far it has formed so near to
+/// the border: at the border itself nothing of it shows, so nothing is seen to jump.
+fn wrap(region: &Region, cloud: &mut CloudNow<'_>) -> Formed {
+    let Region { center_x_m, center_z_m, width_m, depth_m, border_m } = *region;
+    let middle = cloud.origin() + cloud.center_now().as_dvec3();
+    let mut whole = f64::INFINITY;
+    let mut along = |at: f64, center: f64, side: f64| {
+        let from_low = (at - center + 0.5 * side).rem_euclid(side);
+        whole = whole.min(from_low.min(side - from_low));
+        center - 0.5 * side + from_low - at
+    };
+    cloud.displacement.x += along(middle.x, center_x_m, width_m);
+    cloud.displacement.z += along(middle.z, center_z_m, depth_m);
+    Formed::of_progress(if border_m > 0.0 { smoothstep(0.0, border_m as f32, whole as f32) } else { 1.0 })
+}

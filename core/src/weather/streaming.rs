@@ -1,0 +1,51 @@
+//! By which rule loose edges follow the wind.
+
+use super::{AirNow, Lean, Wind};
+use crate::scene::Weather;
+use glam::DVec2;
+
+/// By which rule edges follow the wind.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum StreamingRule {
+    /// The closed form ([`Wind::lean`]).
+    #[default]
+    ClosedForm,
+    /// A state that each frame adds to: it fails, and is kept for charts and tests.
+    Stepped(SteppedStreaming),
+}
+
+/// A rule whose outcome depends on how often frames come.
+#[derive(Debug, Clone, Copy)]
+pub struct SteppedStreaming {
+    /// In words; no two rules have the same, and they are told apart by it.
+    pub name: &'static str,
+    /// Seconds from frame to frame.
+    pub frame_s: f64,
+    /// How far edges lean at a number of seconds of the scene's clock, with such frames and the lag, in seconds.
+    pub lean: fn(&Wind, clock_s: f64, frame_s: f64, lag_s: f64) -> Lean,
+}
+
+impl PartialEq for SteppedStreaming {
+    fn eq(&self, other: &Self) -> bool {
+        (self.name, self.frame_s) == (other.name, other.frame_s)
+    }
+}
+
+impl StreamingRule {
+    /// As [`AirNow::new`].
+    pub fn air(self, now: &Weather, wind: Option<&Wind>, clock_s: f64) -> Option<AirNow> {
+        let air = AirNow::new(now, wind, clock_s);
+        let (Self::Stepped(stepped), Some(wind), Some(air)) = (self, wind, air) else { return air };
+        let Lean { middle, shear } = (stepped.lean)(wind, clock_s, stepped.frame_s, now.lag_s);
+        let across = |lean: DVec2| glam::Vec3::new(lean.x as f32, 0.0, lean.y as f32);
+        Some(AirNow { lean: across(middle), lean_shear: across(shear), ..air })
+    }
+
+    /// What it is, for charts.
+    pub fn in_words(self) -> String {
+        match self {
+            Self::ClosedForm => "closed form".into(),
+            Self::Stepped(SteppedStreaming { name, frame_s, .. }) => format!("{name}, each {frame_s} s"),
+        }
+    }
+}
