@@ -14,7 +14,7 @@ use crate::scene::{Cloud, CloudId, CloudModel, ModelId, Scene};
 use crate::sprites::{PlacedCloud, PopulatedModel, Shapes};
 use crate::version::Version;
 use crate::watch::Watch;
-use crate::weather::Timeline;
+use crate::weather::{CloudNow, Timeline, WeatherRules, clouds_now};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -115,6 +115,11 @@ impl Derived {
     /// they are.
     pub fn shapes(&self) -> &Shapes {
         &self.shapes
+    }
+
+    /// The clouds at `clock_s`, seconds of the scene's clock, in their order.
+    pub fn clouds_at(&self, clock_s: f64, rules: WeatherRules) -> Vec<CloudNow<'_>> {
+        clouds_now(&self.clouds, &self.timeline, clock_s, rules)
     }
 
     /// What the clock makes of the scene.

@@ -52,7 +52,7 @@ impl<'a> Frame<'a> {
             scene,
             (derived.clouds(), derived.timeline()),
             sight.moment,
-            sight.rules.of_clouds(),
+            sight.rules.of_weather(),
         );
         let frame = Self::of(now, derived, atlas, sight);
         let models = aircraft_in_view(

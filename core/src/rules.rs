@@ -7,7 +7,7 @@
 use crate::detail::Detail;
 use crate::draw_list::Sorting;
 use crate::facing::FacingRule;
-use crate::weather::{FormingRule, StreamingRule};
+use crate::weather::{FormingRule, StreamingRule, WeatherRules};
 use std::collections::BTreeMap;
 
 /// Of [`Rasterizer::Fast`]: a pixel is done when less than this gets through. What still does shows the background, but
@@ -79,8 +79,8 @@ impl Rules {
     };
 
     /// By which rules the clock moves clouds.
-    pub fn of_clouds(&self) -> (FormingRule, StreamingRule) {
-        (self.forming, self.streaming)
+    pub fn of_weather(&self) -> WeatherRules {
+        WeatherRules { forming: self.forming, streaming: self.streaming }
     }
 
     /// How many of a frame's pixels lie side by side in one of the picture's.

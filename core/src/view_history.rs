@@ -13,7 +13,6 @@ use crate::derived::Derived;
 use crate::draw_list::OrderMemory;
 use crate::facing::FacingMemory;
 use crate::rules::Rules;
-use crate::weather::clouds_now;
 
 /// Seconds between two steps (MODEL §4).
 pub const STEP_S: f64 = 1.0 / 60.0;
@@ -30,7 +29,7 @@ pub struct ViewHistory {
 impl ViewHistory {
     /// Goes on to `view` by `rules`, through the clouds as they are at `clock_s`, seconds of the scene's clock.
     pub fn step(&mut self, rules: &Rules, derived: &Derived, clock_s: f64, view: &View) {
-        let clouds = &clouds_now(derived.clouds(), derived.timeline(), clock_s, rules.of_clouds());
+        let clouds = &derived.clouds_at(clock_s, rules.of_weather());
         let shapes = derived.shapes();
         self.facing.step(&rules.facing, clouds, shapes, view.eye, view.up);
         self.order.step(&rules.sorting, clouds, shapes, view);

@@ -18,7 +18,7 @@ use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::{Atlas, PlacedCloud, populate};
 use cloudwright_core::weather::Light;
 use cloudwright_core::weather::Moment;
-use cloudwright_core::weather::{CloudNow, FormingRule, clouds_now};
+use cloudwright_core::weather::{CloudNow, WeatherRules};
 use cloudwright_tests::authoring;
 use cloudwright_tests::small_scenes::heap;
 use criterion::{BatchSize, Criterion, Throughput, criterion_group, criterion_main};
@@ -115,7 +115,7 @@ fn flying(criterion: &mut Criterion) {
     let derived = Derived::new(&scene);
     let cloud = &derived.clouds()[0];
     let middle = cloud.origin + cloud.center.as_dvec3();
-    let clouds = clouds_now(derived.clouds(), 0.0, FormingRule::ClosedForm);
+    let clouds = derived.clouds_at(0.0, WeatherRules::default());
     let mut group = criterion.benchmark_group("one step of lock and fade, one core");
     group.throughput(Throughput::Elements(cloud.sprites.len() as u64));
     for (name, from_middle) in [

@@ -24,7 +24,7 @@ use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem;
 use cloudwright_core::scene::{Cloud, CloudBox, CloudModel, Scene};
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::weather::{FormingRule, clouds_now};
+use cloudwright_core::weather::WeatherRules;
 use cloudwright_tests::{authoring, small_scenes};
 use egui::accesskit::Role;
 use egui::{Event, Modifiers, PointerButton};
@@ -153,7 +153,7 @@ fn measure(scene: &Scene, step: Step, steps: u32) -> [f64; PHASES.len()] {
         lap(&mut times);
         Arc::make_mut(&mut derived).update(document.scene(), &change);
         lap(&mut times);
-        let clouds = &clouds_now(derived.clouds(), 0.0, FormingRule::ClosedForm);
+        let clouds = &derived.clouds_at(0.0, WeatherRules::default());
         let poses = &Poses::new(&FacingRule::BOUNDED, clouds, derived.shapes(), &view, &FacingMemory::default());
         let subset = &Subset::new(Detail::FULL, clouds, Atlas::built_in());
         let choice = Choice { clouds, poses, subset, hidden: &Hidden::default() };

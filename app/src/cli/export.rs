@@ -10,8 +10,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
 use cloudwright_core::formats::{sprites_csv, sprites_json};
 use cloudwright_core::posed_sprite::Still;
-use cloudwright_core::rules::Rules;
-use cloudwright_core::weather::{Moment, SceneNow};
+use cloudwright_core::weather::{Moment, SceneNow, WeatherRules};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
@@ -63,7 +62,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     drop(progress);
     let progress = Progress::start_stoppable("exporting");
     let moment = Moment { clock_s: arguments.at, time_h: arguments.time };
-    let now = SceneNow::new(&scene, (derived.clouds(), derived.timeline()), moment, Rules::SHIPPED.of_clouds());
+    let now = SceneNow::new(&scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
     let view = camera.map(|camera| {
         let camera = derived.timeline().camera_at(&camera, arguments.at);
         View::new(&camera, 1, 1)

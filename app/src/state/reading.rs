@@ -3,9 +3,8 @@
 use super::{Charting, Clock, Session, TimePlay, ViewState};
 use crate::thumbnail::Thumbnails;
 use crate::units::Units;
-use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::ColorLevels;
-use cloudwright_core::weather::{CloudNow, clouds_now};
+use cloudwright_core::weather::{CloudNow, WeatherRules};
 use std::cell::RefCell;
 
 /// What panels read.
@@ -48,7 +47,6 @@ impl<'a> Reading<'a> {
 
     /// The clouds at the clock's time, in their order.
     pub(crate) fn clouds_now(&self) -> Vec<CloudNow<'a>> {
-        let derived = self.session.derived();
-        clouds_now(derived.clouds(), derived.timeline(), self.clock.time_s(), Rules::SHIPPED.of_clouds())
+        self.session.derived().clouds_at(self.clock.time_s(), WeatherRules::default())
     }
 }

@@ -14,7 +14,6 @@ use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::version::Version;
 use cloudwright_core::view_history::ViewHistory;
-use cloudwright_core::weather::clouds_now;
 use egui::{Color32, Mesh, Painter, Pos2, Rect, Shape, Vec2, vec2};
 use glam::Vec3;
 use std::collections::BTreeSet;
@@ -77,7 +76,7 @@ impl Marks {
 fn mesh(screen: &Screen, sight: &Sight, reading: &Reading<'_>) -> Mesh {
     let view = reading.view;
     let derived = reading.session.derived();
-    let now = clouds_now(derived.clouds(), derived.timeline(), sight.moment.clock_s, sight.rules.of_clouds());
+    let now = derived.clouds_at(sight.moment.clock_s, sight.rules.of_weather());
     let poses = Poses::new(&sight.rules.facing, &now, derived.shapes(), &screen.view, &sight.history.facing);
     let clouds: Vec<(&Cloud, &PlacedCloud)> = marked(reading);
     let count: usize = clouds.iter().map(|(_, placed)| placed.sprites.len()).sum();

@@ -1,7 +1,7 @@
 //! The clouds of a scene at a moment: their tracks, the wind that carries them, and where they wrap round.
 
 use super::cloud_now::{InAir, REACH};
-use super::{AirNow, CloudNow, Formed, FormingRule, Look, StreamingRule, Timeline};
+use super::{AirNow, CloudNow, Formed, FormingRule, Look, Timeline, WeatherRules};
 use crate::math::smoothstep;
 use crate::scene::{Cloud, CloudModel, Region, Weather};
 use crate::sprites::{Group, GroupKey, PlacedCloud, heading_turn};
@@ -31,7 +31,7 @@ pub fn clouds_now<'a>(
     clouds: &'a [PlacedCloud],
     timeline: &Timeline,
     clock_s: f64,
-    (forming, streaming): (FormingRule, StreamingRule),
+    rules: WeatherRules,
 ) -> Vec<CloudNow<'a>> {
     let weather = timeline.weather_at(clock_s);
     let rest = timeline.weather();
@@ -40,8 +40,8 @@ pub fn clouds_now<'a>(
     let course = Course {
         timeline,
         clock_s,
-        forming,
-        air: streaming.air(&weather, wind, clock_s),
+        forming: rules.forming,
+        air: rules.streaming.air(&weather, wind, clock_s),
         way_m: wind.map_or(DVec2::ZERO, |wind| wind.way_m(clock_s)),
         lift_m: LIFT_M_PER_C * (spread_c(&weather) - spread_c(rest)),
         growth: weather.growth,

@@ -27,6 +27,6 @@ pub use formation::{Formed, FormingRule, Stepped};
 pub use light::{Light, sun_direction};
 pub use moment::Moment;
 pub use scene_now::SceneNow;
-pub use streaming::{StreamingRule, SteppedStreaming};
+pub use streaming::{SteppedStreaming, StreamingRule, WeatherRules};
 pub use timeline::Timeline;
 pub use wind::{FULL_LEAN_MPS, Lean, MOST_LEAN, Wind, WindTracks};

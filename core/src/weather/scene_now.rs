@@ -1,6 +1,6 @@
 //! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
 
-use super::{CloudNow, Light, Moment, StreamingRule, Timeline, clouds_now, FormingRule};
+use super::{CloudNow, Light, Moment, Timeline, WeatherRules, clouds_now};
 use crate::scene::{Aircraft, Ground, List, Scene};
 use crate::sprites::PlacedCloud;
 
@@ -34,7 +34,7 @@ impl<'a> SceneNow<'a> {
         scene: &Scene,
         (clouds, timeline): (&'a [PlacedCloud], &Timeline),
         moment: Moment,
-        rules: (FormingRule, StreamingRule),
+        rules: WeatherRules,
     ) -> Self {
         let time_h = moment.time_h.unwrap_or_else(|| timeline.time_of_day_h(scene, moment.clock_s));
         let scene = timeline.surroundings_at(scene, moment.clock_s);

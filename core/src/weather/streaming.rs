@@ -1,8 +1,17 @@
-//! By which rule loose edges follow the wind.
+//! By which rules the clock moves clouds: how they form, and how loose edges follow the wind.
 
-use super::{AirNow, Lean, Wind};
+use super::{AirNow, FormingRule, Lean, Wind};
 use crate::scene::Weather;
 use glam::DVec2;
+
+/// By which rules the clock moves clouds; by default in closed form.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct WeatherRules {
+    /// How clouds form.
+    pub forming: FormingRule,
+    /// How loose edges follow the wind.
+    pub streaming: StreamingRule,
+}
 
 /// By which rule edges follow the wind.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

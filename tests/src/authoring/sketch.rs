@@ -155,15 +155,14 @@ impl Sketch {
         scale: f64,
         seed: Option<u64>,
     ) {
+        let id = CloudId::new(&mut self.scene.next_id);
         let cloud = Cloud {
-            id: CloudId::new(&mut self.scene.next_id),
             name: name.into(),
-            model,
             position: position.round(),
             heading_deg: heading_deg.round(),
             scale: (scale * 100.0).round() / 100.0,
             seed,
-            formation: None,
+            ..Cloud::new(id, self.scene.model(model).expect("a model"), position)
         };
         self.scene.clouds.push(cloud);
     }

@@ -11,7 +11,7 @@ use cloudwright_core::scene::{
 };
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::weather::{FormingRule, Moment, SceneNow};
+use cloudwright_core::weather::{WeatherRules, Moment, SceneNow};
 use glam::{DQuat, DVec3};
 
 /// One picture to draw.
@@ -38,7 +38,7 @@ impl Case {
     pub fn with_frame<T>(&self, draw: impl FnOnce(&Frame<'_>) -> T) -> T {
         let derived = Derived::new(&self.scene);
         let moment = Moment::at_hour(self.time_h);
-        let mut now = SceneNow::new(&self.scene, derived.clouds(), moment, FormingRule::ClosedForm);
+        let mut now = SceneNow::new(&self.scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
         (self.now)(&mut now);
         let mut frame = Frame::of(now, &derived, Atlas::built_in(), &Sight::still(&self.camera, SIZE));
         (self.list)(&mut frame.list);

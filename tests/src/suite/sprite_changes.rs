@@ -10,7 +10,6 @@ use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::view_history::ViewHistory;
-use cloudwright_core::weather::clouds_now;
 use glam::DVec3;
 
 /// Largest changes of any sprite in one step, for each metre flown, times its lock distance.
@@ -67,7 +66,7 @@ pub fn sprite_changes(scene: &Scene, cameras: &[Camera], rules: &Rules) -> Sprit
 }
 
 fn all_poses(rules: &Rules, derived: &Derived, view: &View, history: &ViewHistory) -> Vec<Pose> {
-    let clouds = clouds_now(derived.clouds(), 0.0, rules.forming);
+    let clouds = derived.clouds_at(0.0, rules.of_weather());
     let poses = Poses::new(&rules.facing, &clouds, derived.shapes(), view, &history.facing);
     let of_cloud = |(index, cloud): (usize, &PlacedCloud)| -> Vec<Pose> {
         let offset = (cloud.origin - view.eye).as_vec3();

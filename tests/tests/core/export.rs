@@ -14,13 +14,13 @@ use cloudwright_tests::small_scenes::heap;
 use glam::DVec3;
 use serde_json::Value;
 
-fn as_json(clouds: &[PlacedCloud], shaded: Option<Still<'_>>) -> Value {
+fn as_json(clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>) -> Value {
     let mut text = Vec::new();
     sprites_json::write(&mut text, clouds, shaded, &Watch::default()).expect("memory takes all");
     serde_json::from_slice(&text).expect("JSON")
 }
 
-fn as_table(clouds: &[PlacedCloud], shaded: Option<Still<'_>>) -> String {
+fn as_table(clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>) -> String {
     let mut text = Vec::new();
     sprites_csv::write(&mut text, clouds, shaded, &Watch::default()).expect("memory takes all");
     String::from_utf8(text).expect("text")
@@ -35,7 +35,7 @@ fn shaded_heap() -> (Value, DVec3) {
     let derived = Derived::new(&scene);
     let view = View::new(&scene.cameras[0], 1280, 720);
     let light = Light::at(&scene, 17.5);
-    let still = Still { view: &view, light: &light, clock_s: 0.0 };
+    let still = Still { view: &view, light: &light };
     (as_json(derived.clouds(), Some(still)), scene.cameras[0].position)
 }
 
@@ -114,7 +114,7 @@ fn a_table_has_a_line_a_sprite() {
     assert!(text.lines().nth(1).expect("a sprite").contains("\"odd, \"\"name\"\"\""));
     let view = View::new(&scene.cameras[0], 100, 100);
     let light = Light::at(&scene, 12.0);
-    let shaded = as_table(derived.clouds(), Some(Still { view: &view, light: &light, clock_s: 0.0 }));
+    let shaded = as_table(derived.clouds(), Some(Still { view: &view, light: &light }));
     assert_eq!(shaded.lines().next().map(|head| head.split(',').count()), Some(13 + 16));
 }
 
@@ -146,7 +146,7 @@ fn a_picture_and_an_export_show_one_sprite() {
     let mut camera = scene.cameras[0].clone();
     camera.position = scene.clouds[0].position;
     let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(&camera, [640, 360]));
-    let still = Still { view: &frame.view, light: &frame.now.light, clock_s: 0.0 };
+    let still = Still { view: &frame.view, light: &frame.now.light };
     let mut faded = 0;
     for drawn in &frame.list.sprites {
         let cloud = &derived.clouds()[drawn.cloud as usize];
@@ -171,7 +171,7 @@ fn text_leaves_as_it_is_made() {
     let derived = Derived::new(&scene);
     let (view, light) = (View::new(&scene.cameras[0], 100, 100), Light::at(&scene, 12.0));
     let (full, watch) = (&mut [0; 100_000][..], Watch::default());
-    let still = Still { view: &view, light: &light, clock_s: 0.0 };
+    let still = Still { view: &view, light: &light };
     let error = sprites_json::write(&mut { full }, derived.clouds(), Some(still), &watch).expect_err("too small");
     assert_eq!(error.kind(), std::io::ErrorKind::WriteZero);
     assert!(watch.share() < 0.5, "{} of 6000 sprites were made into text", watch.share());

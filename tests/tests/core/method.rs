@@ -13,7 +13,7 @@ use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::variants::{STEPPED_AS_PRINTED, STEPPED_MENDED};
 use cloudwright_core::watch::Watch;
-use cloudwright_core::weather::{Formed, FormingRule, Moment, Stepped, clouds_now};
+use cloudwright_core::weather::{Formed, FormingRule, Moment, Stepped, WeatherRules};
 use cloudwright_tests::small_scenes::heap;
 use std::collections::BTreeSet;
 
@@ -117,7 +117,7 @@ fn kept_sprites_are_the_largest() {
         [(0.0, 0), (0.5, cloud.sprites.len().div_ceil(2)), (1.0, cloud.sprites.len()), (7.0, cloud.sprites.len())]
     {
         let chosen =
-            Subset::new(Detail { kept: share }, &clouds_now(all.clouds(), 0.0, FormingRule::ClosedForm), atlas);
+            Subset::new(Detail { kept: share }, &all.clouds_at(0.0, WeatherRules::default()), atlas);
         let (kept, dropped): (Vec<_>, Vec<_>) =
             cloud.sprites.iter().zip(0..).partition(|(sprite, at)| chosen.has(0, sprite, *at));
         assert_eq!((kept.len(), chosen.is_all()), (count, share >= 1.0), "{share}");

@@ -13,7 +13,7 @@ use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, CameraPath, CloudId, PathKey};
 use cloudwright_core::sprites::{Atlas, PlacedCloud};
 use cloudwright_core::view_history::{Playback, ViewHistory};
-use cloudwright_core::weather::{CloudNow, clouds_now};
+use cloudwright_core::weather::CloudNow;
 use cloudwright_tests::part_edits::{PART_EDITS, PartEdit, heaps};
 use glam::DVec3;
 use std::sync::Arc;
@@ -52,7 +52,7 @@ const SHIPPED: &Rules = &Rules::SHIPPED;
 const CROSSFADE: &Rules = &Rules { sorting: Sorting::Crossfade, ..Rules::SHIPPED };
 
 fn now(derived: &Derived) -> Vec<CloudNow<'_>> {
-    clouds_now(derived.clouds(), 0.0, SHIPPED.forming)
+    derived.clouds_at(0.0, SHIPPED.of_weather())
 }
 
 fn flown(derived: &Derived, rules: &Rules) -> ViewHistory {

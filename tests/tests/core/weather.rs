@@ -9,7 +9,7 @@ use cloudwright_core::scene::{Formation, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::watch::Watch;
-use cloudwright_core::weather::{FormingRule, Moment, SceneNow};
+use cloudwright_core::weather::{Moment, SceneNow, WeatherRules};
 use cloudwright_tests::small_scenes::{heap, single_sprites};
 use glam::DVec3;
 
@@ -18,7 +18,7 @@ const SIZE: [u32; 2] = [64, 36];
 /// What the scene's first camera sees of it, after `change` has been made to the scene as it is now.
 fn seen<T>(scene: &Scene, moment: Moment, change: fn(&mut SceneNow<'_>), f: impl FnOnce(&Frame<'_>) -> T) -> T {
     let derived = Derived::new(scene);
-    let mut now = SceneNow::new(scene, derived.clouds(), moment, FormingRule::ClosedForm);
+    let mut now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
     change(&mut now);
     f(&Frame::of(now, &derived, Atlas::built_in(), &Sight::still(&scene.cameras[0], SIZE)))
 }
