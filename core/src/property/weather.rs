@@ -8,8 +8,12 @@ use crate::scene::Weather;
 
 const WIND_FROM_DEG: Number =
     Number::new("Wind from", &(-360.0..=360.0), "°", "Where the wind comes from, clockwise from north.");
-const WIND_SPEED_MPS: Number =
-    Number::new("Wind speed", &(0.0..=150.0), "m/s", "How fast the wind blows: it carries clouds, and their edges lean.");
+const WIND_SPEED_MPS: Number = Number::new(
+    "Wind speed",
+    &(0.0..=150.0),
+    "m/s",
+    "How fast the wind blows: it carries clouds, and their edges lean.",
+);
 const WIND_SHEAR: Number = Number::new(
     "Wind shear",
     &(-4.0..=4.0),

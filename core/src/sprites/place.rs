@@ -3,11 +3,9 @@
 //! Positions are kept in f32 relative to the cloud's own f64 position: a cloud 1,000 km from the origin is as sharp as
 //! one at the origin.
 
-use super::stir::Stirs;
+use super::stir::{Stir, Stirs, Within};
 use super::{Candidate, PopulatedModel};
-use crate::scene::{
-    BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight,
-};
+use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -111,8 +109,8 @@ pub struct PlacedCloud {
     pub color_levels: ColorLevels,
     /// What was placed.
     pub cloud: Arc<Cloud>,
-    /// Its model.
-    pub model: Arc<CloudModel>,
+    /// The seed under which its sprites were strewn.
+    pub seed: u64,
     /// What the air makes of its sprites, made when first asked for.
     pub(crate) stirs: Stirs,
 }
@@ -121,6 +119,16 @@ impl PlacedCloud {
     /// How far a point is from the centre, in radii; 0 in a cloud without extent.
     pub fn radii_of(&self, point: Vec3) -> f32 {
         if self.radius > 0.0 { point.distance(self.center) / self.radius } else { 0.0 }
+    }
+
+    /// What the air makes of each sprite, in their order.
+    pub fn stirs(&self) -> &[Stir] {
+        let of = |sprite: &Sprite| {
+            let from_center = (sprite.position - self.center) / self.radius.max(f32::MIN_POSITIVE);
+            let (box_id, index, tile, radii) = (sprite.box_id, sprite.index, sprite.tile, from_center.length());
+            Stir::of(Within { box_id, index, tile, radii, from_center }, self.seed)
+        };
+        self.stirs.get_or_make(|| self.sprites.iter().map(of).collect())
     }
 
     /// Height of a point within the cloud, 0 at its bottom, 1 at its top, clamped; 0 in a cloud without height.
@@ -136,7 +144,7 @@ impl PlacedCloud {
 /// hand-moved ones stay where they are.
 pub fn place(
     cloud: &Arc<Cloud>,
-    model: &Arc<CloudModel>,
+    model: &CloudModel,
     populated: &PopulatedModel,
     ground_altitude_m: Option<f64>,
 ) -> PlacedCloud {
@@ -146,7 +154,7 @@ pub fn place(
 /// The same under a watch; some sprites are missing if that is cancelled.
 pub(crate) fn place_watched(
     cloud: &Arc<Cloud>,
-    model: &Arc<CloudModel>,
+    model: &CloudModel,
     populated: &PopulatedModel,
     ground_altitude_m: Option<f64>,
     watch: &Watch,
@@ -202,7 +210,7 @@ pub(crate) fn place_watched(
         sprites,
         color_levels: model.color_levels,
         cloud: Arc::clone(cloud),
-        model: Arc::clone(model),
+        seed: cloud.seed.unwrap_or(model.seed),
         stirs: Stirs::default(),
     }
 }
@@ -213,7 +221,7 @@ pub(crate) fn place_watched(
 pub(crate) fn dress(
     placed: &PlacedCloud,
     cloud: &Arc<Cloud>,
-    (model, populated): (&Arc<CloudModel>, &PopulatedModel),
+    (model, populated): (&CloudModel, &PopulatedModel),
     [keeps_place, keeps_light]: [bool; 2],
 ) -> PlacedCloud {
     let space = || Space::of(cloud, populated);
@@ -229,7 +237,6 @@ pub(crate) fn dress(
         name: cloud.name.clone(),
         color_levels: model.color_levels,
         cloud: Arc::clone(cloud),
-        model: Arc::clone(model),
         ..placed.clone()
     }
 }

@@ -3,9 +3,9 @@
 //! Made of the sprite's place in its cloud and of random numbers of its own, once and when first asked for: a scene without
 //! weather has none of it. What the GPU is given are these very values (MODEL §9).
 
-use super::{PlacedCloud, Sprite};
 use crate::math::smoothstep;
 use crate::random::{draw, unit};
+use crate::scene::BoxId;
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 
@@ -45,26 +45,35 @@ const FLAT_BASE: u8 = 3;
 /// What even a sprite in the core sways.
 const LEAST_SWAY: f32 = 0.25;
 
-impl PlacedCloud {
-    /// Of each sprite, in their order.
-    pub fn stirs(&self) -> &[Stir] {
-        self.stirs.0.get_or_init(|| {
-            let seed = self.cloud.seed.unwrap_or(self.model.seed);
-            self.sprites.iter().map(|sprite| Stir::of(sprite, self, seed)).collect()
-        })
+/// Where a sprite is in its cloud, and which it is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Within {
+    pub(super) box_id: BoxId,
+    pub(super) index: u32,
+    pub(super) tile: u8,
+    /// From the cloud's centre, in its radii: how far, and which way.
+    pub(super) radii: f32,
+    pub(super) from_center: Vec3,
+}
+
+impl Stirs {
+    pub(super) fn get_or_make(&self, make: impl FnOnce() -> Box<[Stir]>) -> &[Stir] {
+        self.0.get_or_init(make)
     }
 }
 
 impl Stir {
-    fn of(sprite: &Sprite, cloud: &PlacedCloud, seed: u64) -> Self {
-        let [turn, phases, ..] = draw(seed, sprite.box_id.0, sprite.index, BLOCK);
-        let (radii, is_flat) = (cloud.radii_of(sprite.position), sprite.tile == FLAT_BASE);
-        let looseness = match sprite.tile {
+    /// Of a sprite of a cloud of that seed.
+    pub(super) fn of(sprite: Within, seed: u64) -> Self {
+        let Within { box_id, index, tile, radii, from_center } = sprite;
+        let [turn, phases, ..] = draw(seed, box_id.0, index, BLOCK);
+        let is_flat = tile == FLAT_BASE;
+        let looseness = match tile {
             FLAT_BASE => 0.0,
             wisp if wisp < FLAT_BASE => 1.0,
             _ => smoothstep(0.5, 1.0, radii),
         };
-        let noise = noise((sprite.position - cloud.center) / (cloud.radius.max(1e-3) * WAVELENGTH), seed);
+        let noise = noise(from_center / WAVELENGTH, seed);
         let still = |share: f32| if is_flat { 0.0 } else { share };
         // As many bits as the GPU is given.
         let ten_bits = |shift: u32| (phases >> shift & 1023) as f32 / 1024.0;

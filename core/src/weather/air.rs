@@ -10,7 +10,7 @@ pub const CONDENSING: f32 = 0.08;
 /// The periods of the three swings of what sways, seconds: in no ratio of whole numbers.
 const SWINGS_S: [f64; 3] = [7.3, 11.9, 19.1];
 /// How far the largest sway goes, in a sprite's smaller side: in all three directions at once.
-const SWAY: f32 = 0.1;
+pub const SWAY: f32 = 0.1;
 
 /// The air at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -39,7 +39,8 @@ impl Curve {
             if turns { unwound(keys, part) } else { keys.iter().map(|key| key.value.parts()[part]).collect() }
         };
         let values: Vec<Vec<f64>> = (0..count).map(values_of).collect();
-        let parts = values.iter().enumerate().map(|(part, values)| stretches(keys, values, part, loops, turns)).collect();
+        let parts =
+            values.iter().enumerate().map(|(part, values)| stretches(keys, values, part, loops, turns)).collect();
         let last = values.iter().map(|values| values.last().copied().unwrap_or(0.0)).collect();
         Self { times, parts, last, before: track.before, after: track.after }
     }
@@ -52,7 +53,8 @@ impl Curve {
 
     /// Whether it is 0 at all times.
     pub fn is_zero(&self) -> bool {
-        self.parts.iter().flatten().all(|stretch| stretch.powers == [0.0; 4]) && self.last.iter().all(|last| *last == 0.0)
+        self.parts.iter().flatten().all(|stretch| stretch.powers == [0.0; 4])
+            && self.last.iter().all(|last| *last == 0.0)
     }
 
     /// A part of the value at `time_s`; any number is a time, and NaN is as the first key.

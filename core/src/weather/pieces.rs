@@ -127,9 +127,8 @@ fn scale<const N: usize>(f: &impl Fn(f64) -> [f64; N], breaks: &[f64]) -> [f64; 
 
 /// The polynomial through `f` at Chebyshev's nodes on [0, 1], by Newton's divided differences.
 fn interpolated<const N: usize>(f: impl Fn(f64) -> [f64; N]) -> Polynomials<N> {
-    let nodes: [f64; POWERS] = std::array::from_fn(|i| {
-        0.5 - 0.5 * libm::cos(std::f64::consts::PI * (i as f64 + 0.5) / POWERS as f64)
-    });
+    let nodes: [f64; POWERS] =
+        std::array::from_fn(|i| 0.5 - 0.5 * libm::cos(std::f64::consts::PI * (i as f64 + 0.5) / POWERS as f64));
     let values = nodes.map(f);
     std::array::from_fn(|n| {
         let mut differences = values.map(|value| value[n]);

@@ -116,8 +116,7 @@ fn kept_sprites_are_the_largest() {
     for (share, count) in
         [(0.0, 0), (0.5, cloud.sprites.len().div_ceil(2)), (1.0, cloud.sprites.len()), (7.0, cloud.sprites.len())]
     {
-        let chosen =
-            Subset::new(Detail { kept: share }, &all.clouds_at(0.0, WeatherRules::default()), atlas);
+        let chosen = Subset::new(Detail { kept: share }, &all.clouds_at(0.0, WeatherRules::default()), atlas);
         let (kept, dropped): (Vec<_>, Vec<_>) =
             cloud.sprites.iter().zip(0..).partition(|(sprite, at)| chosen.has(0, sprite, *at));
         assert_eq!((kept.len(), chosen.is_all()), (count, share >= 1.0), "{share}");

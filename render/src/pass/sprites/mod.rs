@@ -47,6 +47,7 @@ impl SpritesPass {
                     ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
                     count: None,
                 },
+                data_entry(7),
             ],
         });
         // Clamped to the edge, which is clear at every level.
@@ -90,6 +91,8 @@ impl SpritesPass {
             .map(|(view, binding)| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 6, resource: wgpu::BindingResource::Sampler(&self.sampler) });
+        let stirs = wgpu::BindingResource::TextureView(&clouds.stirs.view);
+        entries.push(wgpu::BindGroupEntry { binding: 7, resource: stirs });
         gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("sprites"),
             layout: &self.layout,
