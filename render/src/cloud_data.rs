@@ -15,7 +15,7 @@ use cloudwright_core::camera::View;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
-use cloudwright_core::sprites::{Group, PlacedCloud, Sprite};
+use cloudwright_core::sprites::{Group, PlacedCloud, Sprite, Sprites};
 use cloudwright_core::version::Version;
 use cloudwright_core::weather::CloudNow;
 use std::sync::Arc;
@@ -82,7 +82,7 @@ pub(crate) struct PoseTexels {
 /// A cloud as the textures hold it. Sprites and groups are told apart by where they are kept.
 #[derive(Debug)]
 struct Uploaded {
-    sprites: Arc<[Sprite]>,
+    sprites: Sprites,
     groups: Arc<[Group]>,
     cloud: CloudTexels,
     first_sprite: usize,
@@ -157,7 +157,7 @@ impl CloudData {
         let before = std::mem::take(&mut self.uploaded);
         let (mut first_sprite, mut first_group) = (0, 0);
         let uploaded = clouds.iter().map(|cloud| {
-            let (sprites, groups) = (Arc::clone(&cloud.sprites), Arc::clone(&cloud.groups));
+            let (sprites, groups) = (cloud.sprites.clone(), Arc::clone(&cloud.groups));
             let firsts = (first_sprite, first_group);
             (first_sprite, first_group) = (first_sprite + sprites.len(), first_group + groups.len());
             Uploaded { sprites, groups, cloud: cloud_texels(cloud), first_sprite: firsts.0, first_group: firsts.1 }
@@ -171,7 +171,7 @@ impl CloudData {
         let each = || after.iter().enumerate();
         let sprites = each().map(|(index, now)| {
             let is_known = known(index, new_sprites).is_some_and(|old| {
-                Arc::ptr_eq(&old.sprites, &now.sprites)
+                old.sprites.are(&now.sprites)
                     && (old.first_sprite, old.first_group) == (now.first_sprite, now.first_group)
             });
             let first_group = now.first_group as u32;
