@@ -15,7 +15,7 @@ use cloudwright_core::camera::View;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
-use cloudwright_core::sprites::{Group, PlacedCloud, Sprite};
+use cloudwright_core::sprites::{Group, PlacedCloud, Sprite, Sprites};
 use cloudwright_core::version::Version;
 use cloudwright_core::weather::CloudNow;
 use std::sync::Arc;
@@ -92,7 +92,7 @@ pub(crate) struct PoseTexels {
 /// A cloud as the textures hold it. Sprites and groups are told apart by where they are kept.
 #[derive(Debug)]
 struct Uploaded {
-    sprites: Arc<[Sprite]>,
+    sprites: Sprites,
     groups: Arc<[Group]>,
     cloud: CloudTexels,
     first_sprite: usize,
@@ -179,7 +179,7 @@ impl CloudData {
         let before = std::mem::take(&mut self.uploaded);
         let (mut first_sprite, mut first_group) = (0, 0);
         let uploaded = clouds.iter().map(|cloud| {
-            let (sprites, groups) = (Arc::clone(&cloud.placed.sprites), Arc::clone(cloud.groups()));
+            let (sprites, groups) = (cloud.placed.sprites.clone(), Arc::clone(cloud.groups()));
             let firsts = (first_sprite, first_group);
             (first_sprite, first_group) = (first_sprite + sprites.len(), first_group + groups.len());
             let (first_sprite, first_group) = firsts;
@@ -194,7 +194,7 @@ impl CloudData {
         let each = || after.iter().enumerate();
         let sprites = each().map(|(index, now)| {
             let is_known = known(index, new_sprites).is_some_and(|old| {
-                Arc::ptr_eq(&old.sprites, &now.sprites)
+                old.sprites.are(&now.sprites)
                     && (old.first_sprite, old.first_group) == (now.first_sprite, now.first_group)
             });
             let first_group = now.first_group as u32;
@@ -213,7 +213,7 @@ impl CloudData {
             + write_unknown(gpu, &self.groups, groups)
             + write_unknown(gpu, &self.clouds, clouds);
         for (old, now) in before.iter().zip(&mut after) {
-            let same_place = Arc::ptr_eq(&old.sprites, &now.sprites) && old.first_sprite == now.first_sprite;
+            let same_place = old.sprites.are(&now.sprites) && old.first_sprite == now.first_sprite;
             now.has_stirs = old.has_stirs && same_place;
         }
         self.uploaded = after;

@@ -77,7 +77,7 @@ pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
     for now in after {
         let then = before.next();
         let is_known = |same: fn(&PlacedCloud, &PlacedCloud) -> bool| then.is_some_and(|then| same(then, now));
-        let sprites_known = is_known(|a, b| Arc::ptr_eq(&a.sprites, &b.sprites)) && sprites[0] == sprites[1];
+        let sprites_known = is_known(|a, b| a.sprites.are(&b.sprites)) && sprites[0] == sprites[1];
         let groups_known = is_known(|a, b| Arc::ptr_eq(&a.groups, &b.groups));
         let (sprite_count, group_count) = (now.sprites.len() as u64, now.groups.len() as u64);
         if groups[0] != groups[1] || !sprites_known {

@@ -4,46 +4,13 @@
 //! one at the origin.
 
 use super::stir::{Stir, Stirs, Within};
-use super::{Candidate, PopulatedModel};
+use super::{Candidate, PopulatedModel, Sprite, Sprites};
 use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt;
 use std::sync::Arc;
-
-/// A sprite that is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sprite {
-    /// Centre, metres, relative to the cloud's `origin`, along the world's axes.
-    pub position: Vec3,
-    /// Metres.
-    pub width: f32,
-    /// Metres.
-    pub height: f32,
-    /// Radians, counter-clockwise as seen.
-    pub rotation: f32,
-    /// 0 to 15, row by row.
-    pub tile: u8,
-    /// Index into the cloud's groups.
-    pub group: u32,
-    /// Its box.
-    pub box_id: BoxId,
-    /// Its number within the box.
-    pub index: u32,
-}
-
-impl Sprite {
-    /// Half the longer side, metres (MODEL §2).
-    pub fn radius(&self) -> f32 {
-        self.width.max(self.height) * 0.5
-    }
-
-    /// Half the diagonal, metres: the sphere that holds the quad however it is turned.
-    pub fn reach(&self) -> f32 {
-        0.5 * (self.width * self.width + self.height * self.height).sqrt()
-    }
-}
 
 /// What makes sprites a group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -90,7 +57,7 @@ pub struct PlacedCloud {
     /// What was tried, before culling.
     pub candidate_count: usize,
     /// In the order of boxes and indices.
-    pub sprites: Arc<[Sprite]>,
+    pub sprites: Sprites,
     /// In the order of their first sprite.
     pub groups: Arc<[Group]>,
     /// Centre of the bounding box of the sprites' centres, relative to `origin`, metres.
@@ -165,7 +132,7 @@ pub(crate) fn place_watched(
     let named_groups: FxHashSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
     let mut group_of_key: FxHashMap<GroupKey, u32> = FxHashMap::default();
     let mut keys: Vec<GroupKey> = Vec::new();
-    let sprites: Arc<[Sprite]> = watch
+    let sprites: Sprites = watch
         .along(super::PLACING, &populated.sprites)
         .map(|candidate| {
             let key = key_of(candidate, &named_groups);

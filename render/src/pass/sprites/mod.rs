@@ -120,7 +120,6 @@ impl SpritesPass {
         models: Option<&wgpu::BindGroup>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        // Also drawn where there are none: software OpenGL now and then skips the clearing of a pass without a draw.
         let mut pass = begin(encoder, "sprites", target, load, None, timestamps);
         pass.set_pipeline(if models.is_some() { &self.among_models } else { &self.pipeline });
         if let Some(models) = models {
