@@ -90,12 +90,23 @@ impl PlacedCloud {
 
     /// What the air makes of each sprite, in their order.
     pub fn stirs(&self) -> &[Stir] {
-        let of = |sprite: &Sprite| {
-            let from_center = (sprite.position - self.center) / self.radius.max(f32::MIN_POSITIVE);
-            let (box_id, index, tile, radii) = (sprite.box_id, sprite.index, sprite.tile, from_center.length());
-            Stir::of(Within { box_id, index, tile, radii, from_center }, self.seed)
-        };
-        self.stirs.get_or_make(|| self.sprites.iter().map(of).collect())
+        self.stirs.get_or_make(|| {
+            let (low, high) = bounds(self.sprites.iter().map(|sprite| sprite.position));
+            let half = ((high - low) * 0.5).max(Vec3::splat(1e-3));
+            let of = |sprite: &Sprite| {
+                let off = sprite.position - self.center;
+                let within = Within {
+                    box_id: sprite.box_id,
+                    index: sprite.index,
+                    tile: sprite.tile,
+                    radii: self.radii_of(sprite.position),
+                    from_base: Vec3::new(off.x / half.x, 0.5 + 0.5 * off.y / half.y, off.z / half.z),
+                    from_center: off / self.radius.max(1e-3),
+                };
+                Stir::of(within, self.seed)
+            };
+            self.sprites.iter().map(of).collect()
+        })
     }
 
     /// Height of a point within the cloud, 0 at its bottom, 1 at its top, clamped; 0 in a cloud without height.
