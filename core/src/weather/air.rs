@@ -41,8 +41,8 @@ impl AirNow {
         let blown_km = wind.map_or(0.0, |wind| wind.blown_m(clock_s)) / 1000.0;
         let (turned, humidity) = (blown_km * now.turn_deg_per_km / 360.0, now.humidity as f32);
         Some(Self {
-            lean: across(lean.middle),
-            lean_shear: across(lean.shear),
+            lean: across(lean.middle) * now.lean as f32,
+            lean_shear: across(lean.shear) * now.lean as f32,
             // The loosest goes by whole turns, others by their shares of it: none may be left out.
             turned: turned as f32,
             turbulence: now.turbulence as f32,

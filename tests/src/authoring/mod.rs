@@ -17,6 +17,7 @@ mod presets;
 mod single_cumulus;
 mod sketch;
 mod stratus;
+mod summer_day;
 
 pub use look::heap as heap_levels;
 pub use presets::PRESETS;
@@ -36,4 +37,5 @@ pub const SCENES: &[NamedScene] = &[
     ("altocumulus", altocumulus::scene),
     ("overcast", overcast::scene),
     ("forming", forming::scene),
+    ("summer_day", summer_day::scene),
 ];
