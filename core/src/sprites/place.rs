@@ -99,6 +99,7 @@ impl PlacedCloud {
                     box_id: sprite.box_id,
                     index: sprite.index,
                     tile: sprite.tile,
+                    squareness: sprite.width.min(sprite.height) / sprite.width.max(sprite.height),
                     radii: self.radii_of(sprite.position),
                     from_base: Vec3::new(off.x / half.x, 0.5 + 0.5 * off.y / half.y, off.z / half.z),
                     from_center: off / self.radius.max(1e-3),

@@ -54,6 +54,8 @@ pub(super) struct Within {
     pub(super) box_id: BoxId,
     pub(super) index: u32,
     pub(super) tile: u8,
+    /// Its shorter side over its longer one.
+    pub(super) squareness: f32,
     /// How far from the cloud's centre, in its radii.
     pub(super) radii: f32,
     /// How far from the middle of its base: across in half the extent of the centres, up in all of it.
@@ -71,7 +73,7 @@ impl Stirs {
 impl Stir {
     /// Of a sprite of a cloud of that seed.
     pub(super) fn of(sprite: Within, seed: u64) -> Self {
-        let Within { box_id, index, tile, radii, from_base, from_center } = sprite;
+        let Within { box_id, index, tile, squareness, radii, from_base, from_center } = sprite;
         let [turn, phases, ..] = draw(seed, box_id.0, index, BLOCK);
         let is_flat = tile == FLAT_BASE;
         let looseness = match tile {
@@ -81,13 +83,15 @@ impl Stir {
         };
         let noise = broken(from_center, seed);
         let still = |share: f32| if is_flat { 0.0 } else { share };
+        let round_share = smoothstep(0.6, 0.95, squareness);
         // As many bits as the GPU is given.
         let ten_bits = |shift: u32| (phases >> shift & 1023) as f32 / 1024.0;
         Self {
             looseness,
             // By the plain distance from the centre, what is left of a heap would be a ball: heads go before the base.
             threshold: (BY_PLACE * from_base.length().min(1.0) + (1.0 - BY_PLACE) * noise).clamp(0.0, 1.0),
-            turn: still(((unit(turn) * 2.0 - 1.0) * 32_767.0).round() as f32 / 32_767.0),
+            // What lies flat would stand on end.
+            turn: still((round_share * (unit(turn) as f32 * 2.0 - 1.0) * 32_767.0).round() / 32_767.0),
             sway: still(((LEAST_SWAY + (1.0 - LEAST_SWAY) * looseness) * 32_767.0).round() / 32_767.0),
             phases: [ten_bits(0), ten_bits(10), ten_bits(20)],
         }

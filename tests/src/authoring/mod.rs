@@ -11,6 +11,8 @@ mod cumulonimbus;
 mod cumulus;
 mod fair_weather;
 mod forming;
+mod front;
+mod lee;
 mod look;
 mod overcast;
 mod presets;
@@ -38,4 +40,6 @@ pub const SCENES: &[NamedScene] = &[
     ("overcast", overcast::scene),
     ("forming", forming::scene),
     ("summer_day", summer_day::scene),
+    ("front", front::scene),
+    ("lee", lee::scene),
 ];
