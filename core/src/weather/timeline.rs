@@ -7,7 +7,7 @@
 use super::sums::Sums;
 use super::{Curve, Wind, WindTracks};
 use crate::property::{Change, Described, Owner, Target, change};
-use crate::scene::{Camera, Cloud, CloudId, CloudModel, ColorLevels, ModelId, Scene, Thing, Track, Weather};
+use crate::scene::{Camera, Cloud, CloudId, CloudModel, ColorLevels, ModelId, Scene, Thing, Track, TrackKey, Weather};
 use glam::DVec2;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
@@ -40,12 +40,12 @@ struct Move {
 }
 
 impl Timeline {
-    /// Of `scene`. Tracks of what is not there, or can't be keyed, move nothing; of two of one property the first does.
+    /// Of `scene`. Tracks of what is not there or can't be keyed, and those whose keys the checks refuse, move nothing; of
+    /// two of one property the first does.
     pub fn new(scene: &Scene) -> Self {
         let moving = |track: &Track| {
             let target: Target = track.property.parse().ok()?;
-            let fits = !track.keys.is_empty() && track.keys.iter().all(|key| key.value.parts().len() == target.parts());
-            fits.then(|| Move { target, curve: Arc::new(Curve::new(track, target.turns())) })
+            is_sound(track, &target).then(|| Move { target, curve: Arc::new(Curve::of(track, &target)) })
         };
         let mut moves: Vec<Move> = scene.tracks.iter().filter_map(moving).collect();
         moves.sort_by_key(|each| each.target.owner);
@@ -236,13 +236,24 @@ struct Set<'a> {
 impl Change for Set<'_> {
     fn thing<T: Described>(&mut self, thing: &mut T) {
         for Move { target, curve } in self.moves {
-            let Some(row) = T::rows().find(|row| std::ptr::eq(&row.property, target.property)) else { continue };
+            // Not by the row's own place in memory: there may be a copy of the table for each that reads it.
+            let Some(row) = T::rows().find(|row| row.property.is_the_same(target.property)) else { continue };
             let numbers = curve.all_at(self.clock_s);
             for (part, number) in numbers.into_iter().take(target.parts()).enumerate() {
                 row.set_number(thing, part, target.bring_within(number));
             }
         }
     }
+}
+
+/// Whether the keys of `track` are numbers in order of time, as many each as `target` has.
+fn is_sound(track: &Track, target: &Target) -> bool {
+    let is_number = |key: &TrackKey| {
+        let parts = key.value.parts();
+        key.time_s.is_finite() && parts.len() == target.parts() && parts.iter().all(|part| part.is_finite())
+    };
+    let in_order = track.keys.windows(2).all(|pair| pair[0].time_s < pair[1].time_s);
+    !track.keys.is_empty() && in_order && track.keys.iter().all(is_number)
 }
 
 /// Levels that tracks have put past one another are lifted to the one below.
