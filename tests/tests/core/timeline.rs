@@ -208,7 +208,7 @@ fn levels_out_of_order_are_lifted() {
         let keyed = one(&scene, &address, &[height]);
         let timeline = Timeline::new(&keyed);
         let now = timeline.scene_at(&keyed, 0.0).models[0].color_levels;
-        let looks = timeline.model_at(&keyed.models[0], 0.0).expect("it has a track").color_levels;
+        let looks = timeline.model_at(keyed.models[0].id, 0.0).expect("it has a track").color_levels;
         assert_eq!(now, looks);
         now.map(|level| level.height)
     });
@@ -242,7 +242,7 @@ fn parts_are_those_of_the_whole() {
             assert_eq!(timeline.cloud_at(rest, clock_s).as_ref().unwrap_or(rest), now);
         }
         for (rest, now) in keyed.models.iter().zip(&now.models) {
-            let looks = timeline.model_at(rest, clock_s);
+            let looks = timeline.model_at(rest.id, clock_s);
             assert_eq!(looks.as_ref().unwrap_or(rest), now);
         }
         for (rest, now) in keyed.cameras.iter().zip(&now.cameras) {
