@@ -15,9 +15,10 @@ use glam::DVec3;
 use std::borrow::Cow;
 use std::collections::BTreeMap;
 
-/// With all that a track can move.
+/// With all that a track can move, and no track yet.
 fn rich() -> Scene {
     let mut scene = everything();
+    scene.tracks.clear();
     scene.clouds[0].formed = Some(HowFarFormed::default());
     let id = CameraId::new(&mut scene.next_id);
     scene.cameras.push(Camera::new(id, "second", DVec3::new(1.0, 2.0, 3.0)));
