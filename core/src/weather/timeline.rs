@@ -192,9 +192,10 @@ impl Timeline {
         }
     }
 
-    /// Whether it moves nothing.
-    pub fn is_empty(&self) -> bool {
-        self.moves.is_empty()
+    /// Whether the clock moves anything.
+    pub fn moves(&self) -> bool {
+        let Weather { turbulence, day_speed, .. } = self.weather;
+        !self.moves.is_empty() || self.wind.is_some() || turbulence != 0.0 || day_speed != 0.0
     }
 
     /// The curve of what is at that address, if it is keyed.

@@ -8,7 +8,7 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, linear_error};
 use cloudwright_core::method::{Family, METHODS, Method, named, shipped, truth};
 use cloudwright_core::raster::develop;
-use cloudwright_core::rules::{Rasterizer, Rules};
+use cloudwright_core::rules::{Movement, Rasterizer, Rules};
 use cloudwright_core::scene::{Camera, Cloud, Formation, FormationChange, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -206,18 +206,22 @@ fn stepped_forming_is_the_listings() {
 
 #[test]
 fn what_has_no_effect_is_told() {
-    let without =
-        |name: &str, flies, forms| named(name).expect("in the table").rules.without_effect(flies, forms).is_some();
-    for (name, flies, forms, want) in [
-        ("fast", false, false, false),
-        ("crossfade", false, true, true),
-        ("crossfade", true, false, false),
-        ("no-lock", false, false, true),
-        ("no-lock", true, false, false),
-        ("view-plane", false, false, false),
-        ("stepped-mended", true, false, true),
-        ("stepped-mended", false, true, false),
+    let without = |name: &str, moves| named(name).expect("in the table").rules.without_effect(moves).is_some();
+    let still = Movement::default();
+    let [flies, forms, blows] =
+        [Movement { flies: true, ..still }, Movement { forms: true, ..still }, Movement { blows: true, ..still }];
+    for (name, moves, want) in [
+        ("fast", still, false),
+        ("crossfade", forms, true),
+        ("crossfade", flies, false),
+        ("no-lock", still, true),
+        ("no-lock", flies, false),
+        ("view-plane", still, false),
+        ("stepped-mended", flies, true),
+        ("stepped-mended", forms, false),
+        ("stepped-wind", forms, true),
+        ("stepped-wind", blows, false),
     ] {
-        assert_eq!(without(name, flies, forms), want, "{name}");
+        assert_eq!(without(name, moves), want, "{name} {moves:?}");
     }
 }
