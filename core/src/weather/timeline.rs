@@ -7,7 +7,9 @@
 use super::sums::Sums;
 use super::{Curve, Wind, WindTracks};
 use crate::property::{Change, Described, Owner, Target, change};
-use crate::scene::{Camera, Cloud, CloudId, CloudModel, ColorLevels, ModelId, Scene, Thing, Track, TrackKey, Weather};
+use crate::scene::{
+    Camera, Cloud, CloudId, CloudModel, ColorLevels, List, ModelId, Scene, Thing, Track, TrackKey, Weather,
+};
 use glam::DVec2;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
@@ -169,13 +171,29 @@ impl Timeline {
         Some(now)
     }
 
-    /// `scene`, whose timeline this is, at `clock_s`, but for its clouds and what they look like: those are
-    /// [`super::CloudNow`]'s.
+    /// `scene`, whose timeline this is, at `clock_s`; without its clouds and their models, if anything else moves: what
+    /// those are now is [`super::CloudNow`]'s, and thousands of them are not copied for each frame.
     pub fn surroundings_at<'s>(&self, scene: &'s Scene, clock_s: f64) -> Cow<'s, Scene> {
         if self.of_others.is_empty() {
             return Cow::Borrowed(scene);
         }
-        let mut now = scene.clone();
+        let mut now = Scene {
+            name: scene.name.clone(),
+            next_id: scene.next_id,
+            time_of_day_h: scene.time_of_day_h,
+            place: scene.place.clone(),
+            sun: scene.sun,
+            sky: scene.sky.clone(),
+            weather: scene.weather,
+            ground: scene.ground.clone(),
+            atlas: scene.atlas.clone(),
+            cameras: scene.cameras.clone(),
+            models: List::new(),
+            clouds: List::new(),
+            paths: scene.paths.clone(),
+            aircraft: scene.aircraft.clone(),
+            tracks: List::new(),
+        };
         for at in &self.of_others {
             let moves = &self.moves[*at..=*at];
             change(&mut now, moves[0].target.owner, &mut Set { moves, clock_s });
