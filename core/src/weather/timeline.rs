@@ -23,8 +23,8 @@ pub struct Timeline {
     moves: Vec<Move>,
     /// Which of them are each cloud's.
     of_clouds: FxHashMap<CloudId, Range<usize>>,
-    /// Which are of the looks of each model.
-    of_looks: FxHashMap<ModelId, Vec<usize>>,
+    /// Models whose looks have tracks, and which those are.
+    of_looks: FxHashMap<ModelId, (Arc<CloudModel>, Vec<usize>)>,
     /// Which are of the scene's own values, and of what else shows without a cloud.
     of_others: Vec<usize>,
     /// The air as the scene has it.
@@ -59,18 +59,21 @@ impl Timeline {
             }
         }
         let mut timeline = Self { moves: only, weather: scene.weather, ..Self::default() };
-        timeline.sort_out();
+        timeline.sort_out(scene);
         timeline.blow();
         timeline
     }
 
     /// Which moves are whose.
-    fn sort_out(&mut self) {
+    fn sort_out(&mut self, scene: &Scene) {
         for (at, each) in self.moves.iter().enumerate() {
             match each.target.owner {
                 Owner::Thing(Thing::Cloud(id)) => self.of_clouds.entry(id).or_insert(at..at).end = at + 1,
                 Owner::Level(model, _) | Owner::Thing(Thing::Group(model, _) | Thing::Box(model, _)) => {
-                    self.of_looks.entry(model).or_default().push(at);
+                    let Some(rest) = scene.models.position(model).map(|at| &scene.models.as_slice()[at]) else {
+                        continue;
+                    };
+                    self.of_looks.entry(model).or_insert_with(|| (Arc::clone(rest), Vec::new())).1.push(at);
                 }
                 _ => self.of_others.push(at),
             }
@@ -151,10 +154,10 @@ impl Timeline {
         !self.of_looks.is_empty()
     }
 
-    /// What colours and light of `model` are at `clock_s`; none if they have no track.
-    pub fn model_at(&self, model: &CloudModel, clock_s: f64) -> Option<CloudModel> {
-        let moves = self.of_looks.get(&model.id)?;
-        let mut now = model.clone();
+    /// The model of that id with the colours and light that it has at `clock_s`; none if they have no track.
+    pub fn model_at(&self, model: ModelId, clock_s: f64) -> Option<CloudModel> {
+        let (rest, moves) = self.of_looks.get(&model)?;
+        let mut now = CloudModel::clone(rest);
         for at in moves {
             let mut set = Set { moves: &self.moves[*at..=*at], clock_s };
             match self.moves[*at].target.owner {
@@ -211,9 +214,10 @@ impl Timeline {
         }
     }
 
-    /// Whether it moves nothing.
-    pub fn is_empty(&self) -> bool {
-        self.moves.is_empty()
+    /// Whether the clock moves anything.
+    pub fn moves(&self) -> bool {
+        let Weather { turbulence, day_speed, .. } = self.weather;
+        !self.moves.is_empty() || self.wind.is_some() || turbulence != 0.0 || day_speed != 0.0
     }
 
     /// The curve of what is at that address, if it is keyed.
