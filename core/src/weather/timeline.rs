@@ -181,7 +181,7 @@ impl Timeline {
             name: scene.name.clone(),
             next_id: scene.next_id,
             time_of_day_h: scene.time_of_day_h,
-            place: scene.place.clone(),
+            site: scene.site.clone(),
             sun: scene.sun,
             sky: scene.sky.clone(),
             weather: scene.weather,
