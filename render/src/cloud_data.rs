@@ -329,7 +329,7 @@ fn moment_texels(cloud: &CloudNow<'_>, view: &View) -> MomentTexels {
         growth: cloud.growth,
         opacity: cloud.opacity,
         scale: cloud.scale,
-        turn: cloud.turn,
+        turn: cloud.turn.sin_cos(),
         reach_m: cloud.air.as_ref().map_or(-1.0, |air| air.reach_m),
         unused: 0.0,
     }

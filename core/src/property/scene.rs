@@ -4,7 +4,7 @@ use super::described::Described;
 use super::row::{Row, angle, flag, number, numbers, range_of, setting, text};
 use super::setting::{Numbers, Setting, Value};
 use super::{HEADING_DEG, Number, TIME_OF_DAY_H};
-use crate::scene::{Site, Scene, Sun};
+use crate::scene::{Scene, Site, Sun};
 
 impl Described for Scene {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[

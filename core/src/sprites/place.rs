@@ -95,7 +95,7 @@ impl PlacedCloud {
             let half = ((high - low) * 0.5).max(Vec3::splat(1e-3));
             let of = |sprite: &Sprite| {
                 let off = sprite.position - self.center;
-                let within = Within {
+                Within {
                     box_id: sprite.box_id,
                     index: sprite.index,
                     tile: sprite.tile,
@@ -103,10 +103,9 @@ impl PlacedCloud {
                     radii: self.radii_of(sprite.position),
                     from_base: Vec3::new(off.x / half.x, 0.5 + 0.5 * off.y / half.y, off.z / half.z),
                     from_center: off / self.radius.max(1e-3),
-                };
-                Stir::of(within, self.seed)
+                }
             };
-            self.sprites.iter().map(of).collect()
+            Stir::of_cloud(self.sprites.iter().map(of), self.seed)
         })
     }
 

@@ -14,7 +14,7 @@ use std::sync::{Arc, OnceLock};
 pub struct Stir {
     /// How freely it moves, 0 in the core and for flat bases, 1 at the edge and for wisps.
     pub looseness: f32,
-    /// The humidity, stretched, around which it condenses, 0 to 1.
+    /// The humidity around which it condenses, 0 to 1: the share of the cloud's sprites that do before it.
     pub threshold: f32,
     /// How it turns as the wind goes by, −1 to 1.
     pub turn: f32,
@@ -72,7 +72,7 @@ impl Stirs {
 
 impl Stir {
     /// Of a sprite of a cloud of that seed.
-    pub(super) fn of(sprite: Within, seed: u64) -> Self {
+    fn of(sprite: Within, seed: u64) -> Self {
         let Within { box_id, index, tile, squareness, radii, from_base, from_center } = sprite;
         let [turn, phases, ..] = draw(seed, box_id.0, index, BLOCK);
         let is_flat = tile == FLAT_BASE;
@@ -89,12 +89,24 @@ impl Stir {
         Self {
             looseness,
             // By the plain distance from the centre, what is left of a heap would be a ball: heads go before the base.
-            threshold: (BY_PLACE * from_base.length().min(1.0) + (1.0 - BY_PLACE) * noise).clamp(0.0, 1.0),
+            threshold: BY_PLACE * from_base.length() + (1.0 - BY_PLACE) * noise,
             // What lies flat would stand on end.
             turn: still((round_share * (unit(turn) as f32 * 2.0 - 1.0) * 32_767.0).round() / 32_767.0),
             sway: still(((LEAST_SWAY + (1.0 - LEAST_SWAY) * looseness) * 32_767.0).round() / 32_767.0),
             phases: [ten_bits(0), ten_bits(10), ten_bits(20)],
         }
+    }
+
+    /// Those of a cloud: thresholds become shares, so that as much of any cloud is left at one humidity.
+    pub(super) fn of_cloud(sprites: impl Iterator<Item = Within>, seed: u64) -> Box<[Self]> {
+        let mut stirs: Box<[Self]> = sprites.map(|sprite| Self::of(sprite, seed)).collect();
+        let mut order: Vec<usize> = (0..stirs.len()).collect();
+        order.sort_by(|a, b| stirs[*a].threshold.total_cmp(&stirs[*b].threshold).then(a.cmp(b)));
+        let count = stirs.len() as f32;
+        for (rank, at) in order.into_iter().enumerate() {
+            stirs[at].threshold = (rank as f32 + 0.5) / count;
+        }
+        stirs
     }
 
     /// As four words: looseness and threshold as floats, turn and sway as signed 16-bit shares, the phases as 10 bits each.
@@ -113,9 +125,8 @@ impl Stir {
 /// 0 to 1: pieces, and rags of pieces.
 fn broken(from_center: Vec3, seed: u64) -> f32 {
     let [coarse, fine] = WAVELENGTHS.map(|wavelength| noise(from_center / wavelength, seed));
-    let mean = coarse + FINER * (fine - coarse);
-    // A mean is seldom far from a half: spread again, so that as much of a cloud goes at each humidity.
-    smoothstep(0.2, 0.8, mean)
+    // A mean is seldom far from a half: spread again, so that it counts as much as the place does.
+    smoothstep(0.2, 0.8, coarse + FINER * (fine - coarse))
 }
 
 /// 0 to 1, smooth, with one random value for each whole place.

@@ -24,8 +24,8 @@ pub struct CloudNow<'a> {
     pub formed: Formed,
     /// How far it has been carried from where it is placed, metres along the world's axes.
     pub displacement: DVec3,
-    /// How it is turned about its origin since it was placed, counter-clockwise as seen from above: sine and cosine.
-    pub turn: [f32; 2],
+    /// How it is turned about its origin since it was placed.
+    pub turn: Turn,
     /// How much larger it is than as it is placed, its sprites with it.
     pub scale: f32,
     /// What heights above its bottom are multiplied with: 1 as it is placed. Sprites keep their size.
@@ -58,8 +58,39 @@ pub struct InAir<'a> {
     pub reach_m: f32,
 }
 
-/// The turn of a cloud that has not been turned: sine and cosine.
-pub const UNTURNED: [f32; 2] = [0.0, 1.0];
+/// A turn about the vertical, counter-clockwise as seen from above; none for a cloud that has not been turned, so that
+/// every bit of it stays.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Turn(Option<[f32; 2]>);
+
+impl Turn {
+    /// As it was placed.
+    pub const NONE: Self = Self(None);
+
+    /// By that sine and cosine.
+    pub fn by(sin: f32, cos: f32) -> Self {
+        Self(Some([sin, cos]))
+    }
+
+    /// Sine and cosine.
+    pub fn sin_cos(self) -> [f32; 2] {
+        self.0.unwrap_or([0.0, 1.0])
+    }
+
+    /// `v` turned.
+    #[inline]
+    fn turned(self, v: Vec3) -> Vec3 {
+        let Some([sin, cos]) = self.0 else { return v };
+        Vec3::new(cos * v.x + sin * v.z, v.y, cos * v.z - sin * v.x)
+    }
+
+    /// `v` turned back.
+    #[inline]
+    fn turned_back(self, v: Vec3) -> Vec3 {
+        let Some([sin, cos]) = self.0 else { return v };
+        Vec3::new(cos * v.x - sin * v.z, v.y, sin * v.x + cos * v.z)
+    }
+}
 
 impl<'a> CloudNow<'a> {
     /// The whole cloud as it is placed.
@@ -68,7 +99,7 @@ impl<'a> CloudNow<'a> {
             placed,
             formed: Formed::WHOLE,
             displacement: DVec3::ZERO,
-            turn: UNTURNED,
+            turn: Turn::NONE,
             scale: 1.0,
             growth: 1.0,
             opacity: 1.0,
@@ -125,22 +156,13 @@ impl<'a> CloudNow<'a> {
     /// taken; the same directions otherwise.
     #[inline]
     pub fn at_rest_from(&self, offset: Vec3) -> Vec3 {
-        let [sin, cos] = self.turn;
-        let turned = if self.turn == UNTURNED {
-            offset
-        } else {
-            Vec3::new(cos * offset.x - sin * offset.z, offset.y, sin * offset.x + cos * offset.z)
-        };
+        let turned = self.turn.turned_back(offset);
         if self.scale == 1.0 { turned } else { turned / self.scale }
     }
 
     /// A direction of the world as it lies to the cloud at rest.
     pub fn direction_at_rest(&self, direction: Vec3) -> Vec3 {
-        let [sin, cos] = self.turn;
-        if self.turn == UNTURNED {
-            return direction;
-        }
-        Vec3::new(cos * direction.x - sin * direction.z, direction.y, sin * direction.x + cos * direction.z)
+        self.turn.turned_back(direction)
     }
 
     /// Where the middle of the sprites' centres is, but for what the air does, metres from the cloud's origin.
@@ -194,12 +216,7 @@ impl<'a> CloudNow<'a> {
     pub fn point_now(&self, point: Vec3) -> Vec3 {
         // At rest what is added is zero, and every bit stays.
         let grown = Vec3 { y: point.y + (point.y - self.placed.bottom) * (self.growth - 1.0), ..point };
-        let [sin, cos] = self.turn;
-        let turned = if self.turn == UNTURNED {
-            grown
-        } else {
-            Vec3::new(cos * grown.x + sin * grown.z, grown.y, cos * grown.z - sin * grown.x)
-        };
+        let turned = self.turn.turned(grown);
         if self.scale == 1.0 { turned } else { turned * self.scale }
     }
 }

@@ -1,6 +1,6 @@
 //! The clouds of a scene at a moment: their tracks, the wind that carries them, and where they wrap round.
 
-use super::cloud_now::{InAir, REACH};
+use super::cloud_now::{InAir, REACH, Turn};
 use super::{AirNow, CloudNow, Formed, FormingRule, Look, Timeline, WeatherRules};
 use crate::math::smoothstep;
 use crate::scene::{Cloud, CloudModel, ModelId, Region, Weather};
@@ -33,6 +33,8 @@ pub fn clouds_now<'a>(
     clock_s: f64,
     rules: WeatherRules,
 ) -> Vec<CloudNow<'a>> {
+    // What is no time is the beginning.
+    let clock_s = if clock_s.is_finite() { clock_s } else { 0.0 };
     let weather = timeline.weather_at(clock_s);
     let rest = timeline.weather();
     let wind = timeline.wind();
@@ -102,7 +104,7 @@ impl<'a> Course<'_> {
         cloud.displacement = now.position + turn * (arm * scale) - placed.origin;
         // About +y by twice the half-angle that the quaternion holds.
         let (half_sin, half_cos) = (turn.y, turn.w);
-        cloud.turn = [(2.0 * half_sin * half_cos) as f32, (half_cos * half_cos - half_sin * half_sin) as f32];
+        cloud.turn = Turn::by((2.0 * half_sin * half_cos) as f32, (half_cos * half_cos - half_sin * half_sin) as f32);
         cloud.scale = scale as f32;
     }
 

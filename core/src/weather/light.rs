@@ -1,7 +1,7 @@
 //! The light of one moment: where the sun is and how much there is.
 
 use crate::color::{Rgb, Rgba};
-use crate::scene::{Site, Scene, Sun};
+use crate::scene::{Scene, Site, Sun};
 use glam::Vec3;
 use solar_positioning::time::JulianDate;
 use solar_positioning::{Location, SolarPositions};

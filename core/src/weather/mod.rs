@@ -20,7 +20,7 @@ mod timeline;
 mod wind;
 
 pub use air::{AirNow, CONDENSING, SWAY, sine};
-pub use cloud_now::{CloudNow, InAir, Look, REACH, UNTURNED};
+pub use cloud_now::{CloudNow, InAir, Look, REACH, Turn};
 pub use course::clouds_now;
 pub use curve::Curve;
 pub use formation::{Formed, FormingRule, Stepped};

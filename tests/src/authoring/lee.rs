@@ -123,7 +123,7 @@ fn air(sketch: &mut Sketch) {
         wind_speed_mps: 40.0,
         wind_shear: 1.6,
         turbulence: 0.6,
-        humidity: 0.86,
+        humidity: 0.8,
         lag_s: 5.0,
         lean: 0.8,
         turn_deg_per_km: 30.0,
@@ -139,5 +139,5 @@ fn air(sketch: &mut Sketch) {
     let mut key = |property: &str, keys: &[(f64, f64)]| sketch.key(property, Leaves::Smooth, Beyond::Repeat, keys);
     let gusts = [(0.0, 34.0), (7.0, 46.0), (14.0, 36.0), (24.0, 52.0), (32.0, 38.0), (GUSTS_S, 34.0)];
     key("weather/wind_speed_mps", &gusts);
-    key("weather/humidity", &[(0.0, 0.86), (12.0, 0.78), (26.0, 0.92), (GUSTS_S, 0.86)]);
+    key("weather/humidity", &[(0.0, 0.8), (12.0, 0.6), (26.0, 0.9), (GUSTS_S, 0.8)]);
 }

@@ -116,6 +116,6 @@ fn air(sketch: &mut Sketch) {
     sketch.key("weather/temperature_c", Leaves::Smooth, Beyond::Repeat, &warmth.map(by_hour));
     let growth = [(4.0, 0.55), (8.0, 0.55), (12.0, 1.0), (15.5, 1.25), (19.0, 0.75), (21.0, 0.55), (28.0, 0.55)];
     sketch.key("weather/growth", Leaves::Smooth, Beyond::Repeat, &growth.map(by_hour));
-    let humidity = [(4.0, 0.55), (9.0, 0.7), (12.0, 1.0), (17.5, 1.0), (21.4, 0.2), (28.0, 0.55)];
+    let humidity = [(4.0, 0.3), (9.0, 0.5), (12.0, 1.0), (17.5, 1.0), (21.3, 0.05), (28.0, 0.3)];
     sketch.key("weather/humidity", Leaves::Smooth, Beyond::Repeat, &humidity.map(by_hour));
 }

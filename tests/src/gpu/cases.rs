@@ -11,7 +11,7 @@ use cloudwright_core::scene::{
 };
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::weather::{Moment, SceneNow, WeatherRules};
+use cloudwright_core::weather::{Moment, SceneNow, Turn, WeatherRules};
 use glam::{DQuat, DVec3};
 
 /// One picture to draw.
@@ -103,7 +103,7 @@ pub fn cases() -> Vec<Case> {
             now: |now| {
                 for (cloud, turn_deg) in now.clouds.iter_mut().zip([35.0_f32, -100.0, 170.0]) {
                     let (sin, cos) = turn_deg.to_radians().sin_cos();
-                    (cloud.turn, cloud.scale) = ([sin, cos], 1.3);
+                    (cloud.turn, cloud.scale) = (Turn::by(sin, cos), 1.3);
                 }
             },
             ..noon.clone()

@@ -1,5 +1,7 @@
 //! A scene at a moment: what the clock and another hour make of it, and what of a cloud moves with it.
 
+mod moving;
+
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{FACES_EYE, Run};
 use cloudwright_core::frame::Frame;

@@ -6,7 +6,7 @@ use crate::document::{Change, Document, Edit, EditError, ListEdit};
 use crate::random::draw;
 use crate::scene::{
     Aircraft, BoxId, Camera, CameraId, CameraPath, Cloud, CloudBox, CloudId, CloudModel, CullRadius, Formation,
-    GroupId, GroupLight, IdCounter, ModelId, PathId, Site, Scene, ShadingGroup, Sky, SpriteEdit, Sun,
+    GroupId, GroupLight, IdCounter, ModelId, PathId, Scene, ShadingGroup, Site, Sky, SpriteEdit, Sun,
 };
 use glam::DVec3;
 
