@@ -12,9 +12,11 @@ use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, bytes_of_change};
 use cloudwright_core::raster::plain;
+use cloudwright_core::scene::Weather;
 use cloudwright_core::shading::Veil;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::weather::Moment;
 use cloudwright_render::{AdapterChoice, Gpu, GpuRenderer, RenderError};
 use cloudwright_tests::gpu::{Allowance, Backend, Case, cases, required};
 use cloudwright_tests::part_edits::{PART_EDITS, heaps};
@@ -56,6 +58,7 @@ fn main() -> ExitCode {
             ("a_picture_too_large_is_an_error", too_large),
             ("the_sprites_pass_can_be_timed", timed),
             ("only_what_changed_is_uploaded", uploads),
+            ("a_clock_that_moves_uploads_no_clouds", moments),
             ("each_part_of_a_cloud_is_uploaded_by_itself", part_uploads),
             ("what_is_hidden_is_not_drawn", hidden),
         ]
@@ -182,6 +185,23 @@ fn uploads(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
         let again = renderer.bytes_uploaded();
         ensure(again == each_frame, &format!("{again} bytes for a frame that needs {each_frame}"))
     })
+}
+
+/// Of a scene in weather, what the air makes of each sprite is sent once; then a moment costs what a camera's does.
+fn moments(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
+    let mut scene = heaps();
+    scene.weather = Weather { wind_speed_mps: 9.0, turbulence: 0.5, humidity: 0.8, ..Weather::default() };
+    let derived = Derived::new(&scene);
+    for (step, clock_s) in [0.0, 1.5, 1e5, 0.0].into_iter().enumerate() {
+        let sight = Sight { moment: Moment::at(clock_s), ..Sight::still(&scene.cameras[0], [160, 90]) };
+        let frame = Frame::new(&scene, &derived, Atlas::built_in(), &sight);
+        renderer.draw(gpu, &frame)?;
+        let counts = Counts::of(&frame);
+        let want = counts.bytes_uploaded + if step == 0 { counts.bytes_of_clouds } else { 0 };
+        let got = renderer.bytes_uploaded();
+        ensure(got == want, &format!("{got} bytes at {clock_s} s, where {want} are needed"))?;
+    }
+    Ok(())
 }
 
 /// After each edit: the bytes that core counts, and the picture that a renderer draws which has seen nothing else.
