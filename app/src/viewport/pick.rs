@@ -237,7 +237,7 @@ fn dot_under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Option<Picked>
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cloudwright_core::scene::ModelId;
+    use cloudwright_core::scene::{Category, CloudModel, ModelId};
     use egui::{Rect, pos2};
     use glam::{DQuat, DVec3};
 
@@ -247,16 +247,8 @@ mod tests {
         let mut each = CloudBox::new(BoxId(1), DVec3::new(0.0, 10.0, 0.0));
         each.size = DVec3::new(20.0, 2.0, 2.0);
         each.orientation = DQuat::from_rotation_y(1.0);
-        let cloud = Cloud {
-            id: CloudId(1),
-            name: String::new(),
-            model: ModelId(1),
-            position: far,
-            heading_deg: 1.0_f64.to_degrees(),
-            scale: 2.0,
-            seed: None,
-            formation: None,
-        };
+        let model = CloudModel::new(ModelId(1), "heap", Category::CumulusCongestus);
+        let cloud = Cloud { heading_deg: 1.0_f64.to_degrees(), scale: 2.0, ..Cloud::new(CloudId(1), &model, far) };
         // Heading and orientation cancel out: the box lies along x, 20 m above the cloud's position.
         let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(100.0, 100.0));
         let screen = Screen::new(&Camera::free(far + DVec3::new(0.0, 20.0, 100.0)), rect);
