@@ -141,7 +141,7 @@ fn the_box<'a>(reading: &Reading<'a>) -> Option<(ModelSpace, ModelId, &'a CloudB
         return None;
     }
     let cloud = view.selection.cloud(scene).filter(|cloud| view.can_pick(cloud) && cloud.scale > 0.0)?;
-    Some((ModelSpace::of(cloud), *model, box_of(scene, *model, *id)?))
+    Some((ModelSpace::of(&reading.cloud_now(cloud)), *model, box_of(scene, *model, *id)?))
 }
 
 fn snap_m(ui: &Ui, reading: &Reading<'_>) -> Option<f64> {

@@ -13,6 +13,7 @@ mod fly;
 mod fly_control;
 mod gizmo;
 mod hud;
+mod keyed_clouds;
 mod lens;
 mod level_handles;
 mod marks;
@@ -228,7 +229,7 @@ impl Viewport {
         let painter = ui.painter_at(rect);
         let sight = self.paint_picture(ui, &response, &painter, path_view.as_ref(), reading);
         self.marks.paint(&painter, &screen, &sight, reading);
-        wireframe::paint(&painter, &screen, reading.session.scene(), reading.view);
+        wireframe::paint(&painter, &screen, reading);
         cameras::paint(&painter, &screen, reading);
         let ridden = self.on_board.as_ref().map(|on_board| on_board.path);
         self.paths.paint(&painter, &screen, ridden, reading);

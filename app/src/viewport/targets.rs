@@ -8,7 +8,7 @@ use cloudwright_core::arrange::{ModelSpace, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::{BOX_SIZE, CLOUD_SCALE, POSITION};
 use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, InScene, ModelId, PoseMut, Scene, ShadingGroup};
-use cloudwright_core::sprites::GroupKey;
+use cloudwright_core::sprites::{GroupKey, PlacedCloud};
 use glam::{DQuat, DVec3, EulerRot};
 use std::f64::consts::PI;
 
@@ -71,13 +71,15 @@ impl Targets {
         match item {
             Item::Cloud(id) => {
                 let cloud = scene.cloud(id).filter(|cloud| view.can_pick(cloud))?;
-                self.clouds.push(cloud.clone());
-                Some(reading.session.placed(id).map_or(cloud.position, |placed| placed.origin))
+                let now = reading.cloud_now(cloud).into_owned();
+                let place = reading.session.placed(id).map_or(now.position, |placed| middle_of(placed, cloud, &now));
+                self.clouds.push(now);
+                Some(place)
             }
             Item::Box(model, id) => {
                 let cloud = seen_in(model, view, scene)?;
                 let each = box_of(scene, model, id).filter(|_| may_move(item, model, view, scene))?;
-                let space = ModelSpace::of(cloud);
+                let space = ModelSpace::of(&reading.cloud_now(cloud));
                 self.boxes.push((space, model, each.clone()));
                 Some(space.to_world(each.center))
             }
@@ -132,10 +134,14 @@ impl Targets {
         self.boxes.len() == 1 && self.clouds.is_empty() && self.posed.is_empty()
     }
 
-    /// What brings all of them where `act` says. `scene` is the one of this frame.
+    /// The clouds where `act` brings them.
+    pub(super) fn moved_clouds(&self, act: Act) -> impl Iterator<Item = Cloud> {
+        self.clouds.iter().map(move |cloud| self.cloud(cloud, act))
+    }
+
+    /// What brings all but clouds where `act` says. `scene` is the one of this frame.
     pub(super) fn edits(&self, act: Act, scene: &Scene) -> Vec<Edit> {
         let mut edits = Vec::new();
-        edits.extend(self.clouds.iter().map(|cloud| Edit::Cloud(ListEdit::Replace(self.cloud(cloud, act)))));
         edits.extend(
             self.boxes
                 .iter()
@@ -229,6 +235,14 @@ impl Targets {
         let degrees = |radians: f64| short_number(radians.to_degrees(), 1e6);
         (*heading_deg, *pitch_deg, *roll_deg) = (degrees(-yaw), degrees(pitch), degrees(-roll));
     }
+}
+
+/// Where the middle of a cloud's sprites is when the cloud is `now` elsewhere than where it was placed.
+fn middle_of(placed: &PlacedCloud, cloud: &Cloud, now: &Cloud) -> DVec3 {
+    if now == cloud {
+        return placed.origin;
+    }
+    ModelSpace::of(now).to_world(ModelSpace::of(cloud).from_world(placed.origin))
 }
 
 /// A heading after a turn about the world's up. Headings turn clockwise from above, which is negative about +y.

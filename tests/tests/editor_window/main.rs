@@ -23,6 +23,7 @@ mod remembering;
 mod renaming;
 mod several;
 mod thinning;
+mod timeline;
 mod tools;
 mod viewing;
 mod walk;
