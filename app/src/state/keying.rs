@@ -27,14 +27,17 @@ impl Reading<'_> {
     /// The number that a track gives `target` at the clock's time; none without a track, or if a hand has changed it since.
     pub(crate) fn keyed_number(&self, target: &Target, part: usize) -> Option<f64> {
         let curve = self.session.derived().timeline().curve(target.owner, target.property.path)?;
-        let clock_s = self.clock.time_s();
-        (part < target.parts() && !self.view.timeline.is_unkeyed(target, clock_s))
-            .then(|| target.bring_within(curve.at(clock_s, part)))
+        (part < target.parts()).then(|| target.bring_within(curve.at(self.clock.time_s(), part)))
     }
 
-    /// Whether it has a track.
+    /// Whether it has a track, which a hand may have changed it beside.
     pub(crate) fn has_track(&self, target: &Target) -> bool {
-        self.session.derived().timeline().curve(target.owner, target.property.path).is_some()
+        let timeline = self.session.derived().timeline();
+        timeline.curve(target.owner, target.property.path).is_some() || self.is_changed(target)
+    }
+
+    fn is_changed(&self, target: &Target) -> bool {
+        self.view.timeline.is_unkeyed(target, self.clock.time_s())
     }
 
     /// How those properties stand to their tracks.
@@ -42,12 +45,12 @@ impl Reading<'_> {
         let clock_s = self.clock.time_s();
         let (mut any, mut all) = (false, true);
         for target in targets {
+            if self.is_changed(target) {
+                return Keyed::Changed;
+            }
             let curve = self.session.derived().timeline().curve(target.owner, target.property.path);
             any |= curve.is_some();
             all &= curve.is_some_and(|curve| has_time(curve.times_s(), clock_s));
-            if curve.is_some() && self.view.timeline.is_unkeyed(target, clock_s) {
-                return Keyed::Changed;
-            }
         }
         match (any, all) {
             (false, _) => Keyed::Not,
@@ -69,27 +72,12 @@ impl Reading<'_> {
         Action::Keys { name: format!("Key {label}"), rekeyed, live: false, choose: true }
     }
 
-    /// A cloud where its tracks have it at the clock's time, but for what a hand has changed since.
+    /// A cloud where its tracks have it at the clock's time.
     pub(crate) fn cloud_now<'c>(&self, cloud: &'c Cloud) -> Cow<'c, Cloud> {
-        let Some(mut now) = self.session.derived().timeline().cloud_at(cloud, self.clock.time_s()) else {
-            return Cow::Borrowed(cloud);
-        };
-        for (path, restore) in PLACE {
-            let target = Target::of_cloud(cloud, path);
-            if target.is_some_and(|target| self.view.timeline.is_unkeyed(&target, self.clock.time_s())) {
-                restore(&mut now, cloud);
-            }
-        }
-        Cow::Owned(now)
+        let now = self.session.derived().timeline().cloud_at(cloud, self.clock.time_s());
+        now.map_or(Cow::Borrowed(cloud), Cow::Owned)
     }
 }
-
-/// What a hand changes about a cloud in the viewport.
-const PLACE: [(&str, fn(&mut Cloud, &Cloud)); 3] = [
-    ("position", |now, cloud| now.position = cloud.position),
-    ("heading_deg", |now, cloud| now.heading_deg = cloud.heading_deg),
-    ("scale", |now, cloud| now.scale = cloud.scale),
-];
 
 /// A property of a cloud by its name.
 trait OfCloud: Sized {
@@ -114,8 +102,10 @@ pub(crate) fn place_value(cloud: &Cloud, path: &str) -> Option<(Target, KeyValue
 
 /// Gives `cloud` the same place as `from` has, in that property.
 pub(crate) fn take_place(cloud: &mut Cloud, from: &Cloud, path: &str) {
-    if let Some((_, take)) = PLACE.iter().find(|(each, _)| *each == path) {
-        take(cloud, from);
+    match path {
+        "position" => cloud.position = from.position,
+        "heading_deg" => cloud.heading_deg = from.heading_deg,
+        _ => cloud.scale = from.scale,
     }
 }
 

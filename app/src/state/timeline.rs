@@ -76,7 +76,17 @@ impl TimelineView {
                 self.chosen.remove(key);
             }
         }
-        self.tracks = self.chosen.iter().map(|(track, _)| *track).collect();
+        // Who works on curves keeps them in sight.
+        if !self.curves {
+            self.tracks.clear();
+        }
+        self.tracks.extend(self.chosen.iter().map(|(track, _)| *track));
+    }
+
+    /// No key and no track.
+    pub(crate) fn choose_none(&mut self) {
+        self.chosen.clear();
+        self.tracks.clear();
     }
 
     /// Chooses tracks with none of their keys.
@@ -102,6 +112,12 @@ impl TimelineView {
                 self.unkeyed.targets.push(target);
             }
         }
+    }
+
+    /// The tracks of what hands have changed beside them, with the clock there: by their properties' addresses.
+    pub(crate) fn muted(&self, clock_s: f64) -> BTreeSet<String> {
+        let targets = self.unkeyed.targets.iter().filter(|_| self.unkeyed.clock_s == clock_s);
+        targets.map(Target::to_string).collect()
     }
 
     /// Whether the scene's own value of `target` is shown in place of its track's.

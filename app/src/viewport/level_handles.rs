@@ -37,13 +37,14 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
     painter.line_segment([scale.bottom, scale.top], Stroke::new(3.0, theme::VIEWPORT_SHADE));
     painter.line_segment([scale.bottom, scale.top], Stroke::new(1.0, theme::VIEWPORT_TEXT));
 
-    let mut levels = model.color_levels;
+    let shown = color_levels::shown(reading, model);
+    let mut levels = shown;
     let mut live = false;
     let mut chosen = chosen_level(ui.ctx());
     let mut beside = 0.0;
-    for (index, level) in model.color_levels.iter().enumerate() {
+    for (index, level) in shown.iter().enumerate() {
         let at = scale.at(level.height);
-        let near = index > 0 && scale.at(model.color_levels[index - 1].height).distance(at) < 2.0 * RADIUS;
+        let near = index > 0 && scale.at(shown[index - 1].height).distance(at) < 2.0 * RADIUS;
         beside = if near { beside + 2.0 * RADIUS + 1.0 } else { 0.0 };
         let middle = at + vec2(beside, 0.0);
         if !rect.contains(middle) {
@@ -59,7 +60,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
         }
         .show(ui, |start, way| scale.height(scale.at(start) + way));
         if let Some(height) = handled.wanted {
-            levels = color_levels::moved(model.color_levels, index, height);
+            levels = color_levels::moved(shown, index, height);
             live = handled.live;
         }
         let tag = handled.response;

@@ -25,6 +25,7 @@ mod overlay;
 mod paths;
 mod pick;
 mod picture;
+mod places;
 mod plane;
 mod screen;
 mod steer;

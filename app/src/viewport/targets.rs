@@ -3,12 +3,13 @@
 //! Every frame of a drag starts from there, so nothing drifts. Boxes and sprites are moved in the world of the cloud
 //! that they are seen in. What is locked or hidden stays. A thing whose whole is selected too moves with the whole.
 
+use super::places::Places;
 use crate::state::{Item, Reading, Tool, ViewState, box_of, group_of};
 use cloudwright_core::arrange::{ModelSpace, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::{BOX_SIZE, CLOUD_SCALE, POSITION};
 use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, InScene, ModelId, PoseMut, Scene, ShadingGroup};
-use cloudwright_core::sprites::{GroupKey, PlacedCloud};
+use cloudwright_core::sprites::GroupKey;
 use glam::{DQuat, DVec3, EulerRot};
 use std::f64::consts::PI;
 
@@ -26,7 +27,8 @@ pub(super) enum Act {
 /// The selected things, from the beginning of a drag.
 #[derive(Debug, Clone)]
 pub(super) struct Targets {
-    clouds: Vec<Cloud>,
+    /// Where they are seen, and how far the air has carried them there.
+    clouds: Vec<(Cloud, DVec3)>,
     boxes: Vec<(ModelSpace, ModelId, CloudBox)>,
     /// Cameras, paths and what else has poses, each in an edit that would leave it as it was, with the pose that is
     /// worked on, if it is one.
@@ -54,9 +56,9 @@ impl Targets {
             pivot: DVec3::ZERO,
             turn: DQuat::IDENTITY,
         };
-        let mut places = Vec::new();
+        let (seen, mut places) = (Places::of(reading), Vec::new());
         for item in view.selection.items() {
-            places.extend(targets.add(*item, tool, reading, scene));
+            places.extend(targets.add(*item, tool, &seen, reading, scene));
         }
         targets.pivot = places.iter().copied().reduce(|a, b| a + b)? / places.len() as f64;
         if let ([(space, _, only)], 1) = (targets.boxes.as_slice(), places.len()) {
@@ -66,20 +68,27 @@ impl Targets {
     }
 
     /// Adds one thing; its place in the world.
-    fn add(&mut self, item: Item, tool: Tool, reading: &Reading<'_>, scene: &Scene) -> Option<DVec3> {
+    fn add(
+        &mut self,
+        item: Item,
+        tool: Tool,
+        places: &Places<'_>,
+        reading: &Reading<'_>,
+        scene: &Scene,
+    ) -> Option<DVec3> {
         let view = reading.view;
         match item {
             Item::Cloud(id) => {
                 let cloud = scene.cloud(id).filter(|cloud| view.can_pick(cloud))?;
-                let now = reading.cloud_now(cloud).into_owned();
-                let place = reading.session.placed(id).map_or(now.position, |placed| middle_of(placed, cloud, &now));
-                self.clouds.push(now);
-                Some(place)
+                let now = places.seen(cloud).into_owned();
+                let middle = places.middle(cloud);
+                self.clouds.push((now, places.drift(cloud)));
+                Some(middle)
             }
             Item::Box(model, id) => {
                 let cloud = seen_in(model, view, scene)?;
                 let each = box_of(scene, model, id).filter(|_| may_move(item, model, view, scene))?;
-                let space = ModelSpace::of(&reading.cloud_now(cloud));
+                let space = ModelSpace::of(&places.seen(cloud));
                 self.boxes.push((space, model, each.clone()));
                 Some(space.to_world(each.center))
             }
@@ -134,9 +143,13 @@ impl Targets {
         self.boxes.len() == 1 && self.clouds.is_empty() && self.posed.is_empty()
     }
 
-    /// The clouds where `act` brings them.
+    /// The clouds where `act` brings them, without what the air does.
     pub(super) fn moved_clouds(&self, act: Act) -> impl Iterator<Item = Cloud> {
-        self.clouds.iter().map(move |cloud| self.cloud(cloud, act))
+        self.clouds.iter().map(move |(cloud, drift)| {
+            let moved = self.cloud(cloud, act);
+            let position = if *drift == DVec3::ZERO { moved.position } else { short(moved.position - *drift) };
+            Cloud { position, ..moved }
+        })
     }
 
     /// What brings all but clouds where `act` says. `scene` is the one of this frame.
@@ -235,14 +248,6 @@ impl Targets {
         let degrees = |radians: f64| short_number(radians.to_degrees(), 1e6);
         (*heading_deg, *pitch_deg, *roll_deg) = (degrees(-yaw), degrees(pitch), degrees(-roll));
     }
-}
-
-/// Where the middle of a cloud's sprites is when the cloud is `now` elsewhere than where it was placed.
-fn middle_of(placed: &PlacedCloud, cloud: &Cloud, now: &Cloud) -> DVec3 {
-    if now == cloud {
-        return placed.origin;
-    }
-    ModelSpace::of(now).to_world(ModelSpace::of(cloud).from_world(placed.origin))
 }
 
 /// A heading after a turn about the world's up. Headings turn clockwise from above, which is negative about +y.

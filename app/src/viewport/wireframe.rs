@@ -1,5 +1,6 @@
 //! Outlines of boxes, painted over the picture where the clock has their clouds. Edges behind their own box are fainter.
 
+use super::places::Places;
 use super::screen::Screen;
 use crate::state::{Item, Reading, ViewState};
 use crate::theme;
@@ -17,6 +18,7 @@ const EDGES: [(usize, usize); 12] =
 /// Paints the boxes that the selection asks for, and all if the view says so.
 pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
     let (scene, state) = (reading.session.scene(), reading.view);
+    let places = Places::of(reading);
     // What is selected comes last, on top.
     let mut on_top = Vec::new();
     for cloud in scene.clouds.iter().filter(|cloud| state.shows(cloud)) {
@@ -24,7 +26,7 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
             continue;
         }
         let Some(model) = scene.model(cloud.model) else { continue };
-        let now = Rc::new(reading.cloud_now(cloud).into_owned());
+        let now = Rc::new(places.seen(cloud).into_owned());
         for each in &model.boxes {
             if state.hidden.contains(&Item::Box(model.id, each.id)) {
                 continue;

@@ -88,10 +88,20 @@ impl Editor {
         self.rekey(Command::AddKeys, rekeyed);
     }
 
+    /// The chosen keys; if none is, all of the chosen tracks.
+    fn keys_at_work(&self) -> BTreeSet<KeyPlace> {
+        let timeline = &self.view.timeline;
+        if !timeline.chosen.is_empty() {
+            return timeline.chosen.clone();
+        }
+        let tracks = self.session.scene().tracks.iter().filter(|track| timeline.tracks.contains(&track.id));
+        tracks.flat_map(|track| (0..track.keys.len()).map(|index| (track.id, index))).collect()
+    }
+
     /// What is done with the chosen keys.
     pub(super) fn work_on_keys(&mut self, command: Command) {
         let (tracks, clock_s) = (&self.session.scene().tracks, self.clock.time_s());
-        let chosen = &self.view.timeline.chosen;
+        let chosen = &self.keys_at_work();
         let ease = |ease| keys::eased(tracks, chosen, ease);
         let rekeyed = match command {
             Command::DeleteKeys => keys::deleted(tracks, chosen),
@@ -117,7 +127,7 @@ impl Editor {
     }
 
     pub(super) fn copy_keys(&mut self) {
-        let clip = keys::copied(self.session.scene(), &self.view.timeline.chosen);
+        let clip = keys::copied(self.session.scene(), &self.keys_at_work());
         self.view.timeline.clip = clip.or(self.view.timeline.clip.take());
     }
 

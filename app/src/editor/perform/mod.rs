@@ -12,7 +12,7 @@ use super::intent::Intent;
 use super::{Ask, Editor};
 use crate::command::Command;
 use crate::panel::Panel;
-use crate::state::{Action, Choose, Item, Selection, SpriteMarks, Tool};
+use crate::state::{Action, Item, Selection, SpriteMarks, Tool};
 use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
 
@@ -132,7 +132,7 @@ impl Editor {
     }
 
     fn has_keys(&self) -> bool {
-        !self.view.timeline.chosen.is_empty()
+        !self.view.timeline.tracks.is_empty()
     }
 
     /// Whether what a command switches is switched on.
@@ -258,7 +258,7 @@ impl Editor {
             Command::CopyKeys => self.copy_keys(),
             Command::PasteKeys => self.paste_keys(),
             Command::SelectAllKeys => self.select_keys(|_| true),
-            Command::SelectNoKeys => self.view.timeline.choose(&[], Choose::Only),
+            Command::SelectNoKeys => self.view.timeline.choose_none(),
             Command::SelectKeysBefore => {
                 let clock_s = self.clock.time_s();
                 self.select_keys(|time_s| time_s <= clock_s);

@@ -6,10 +6,10 @@ use cloudwright_core::property::{ALPHA, LEVEL_HEIGHT};
 use cloudwright_core::scene::ColorLevels;
 use egui::{Grid, Ui};
 
-/// What [`show`] will take, points: a row of heads and the levels.
+/// What [`show`] will take, points: a row of heads and the levels; and a row of diamonds below.
 pub(super) fn height(ui: &Ui) -> f32 {
     let spacing = ui.spacing();
-    6.0 * (spacing.interact_size.y + spacing.item_spacing.y) + spacing.item_spacing.y
+    7.0 * (spacing.interact_size.y + spacing.item_spacing.y) + spacing.item_spacing.y
 }
 
 /// Fields change `levels`, and the one that is touched is `chosen`.

@@ -71,7 +71,7 @@ fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         actions.extend(hour::key(ui, hour, reading));
         if time_slider(ui, &mut hour) {
             let live = ui.input(|input| input.pointer.any_down());
-            actions.push(hour::set(hour, live, reading));
+            actions.extend(hour::set(hour, live, reading));
         }
         let mut speed = reading.time_play.hours_a_minute();
         if number_field(ui, TIME_SPEED.label, &TIME_SPEED, &mut speed, false) {

@@ -5,12 +5,12 @@
 
 use super::lines::Lines;
 use super::memory::Memory;
-use super::sheet::{in_sight, part_name};
+use super::sheet::{curve_of, in_sight, part_name};
 use super::span::{Span, seconds};
 use super::spot::{self, Spot, What};
 use crate::state::{Action, Choose, Reading, TimelineChange};
 use crate::theme;
-use cloudwright_core::property::{Kind, Target};
+use cloudwright_core::property::Target;
 use cloudwright_core::scene::{Track, TrackId};
 use cloudwright_core::weather::Curve;
 use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2};
@@ -42,8 +42,8 @@ struct Drawn {
 
 impl Drawn {
     fn new(track: &Track, target: Target, reading: &Reading<'_>) -> Option<Self> {
-        let curve = reading.session.derived().timeline().curve(target.owner, target.property.path)?;
-        Some(Self { id: track.id, target, curve: Arc::clone(curve), ends: extent(curve, target.parts()) })
+        let curve = curve_of(track, &target, reading)?;
+        Some(Self { id: track.id, target, ends: extent(&curve, target.parts()), curve })
     }
 }
 
@@ -130,6 +130,15 @@ impl Plot {
         spots
     }
 
+    /// x, y and z, or red, green and blue, as everywhere; one number alone as keys are, several each by its track.
+    fn tint(&self, ui: &Ui, drawn: &Drawn, part: usize) -> Color32 {
+        match drawn.target.parts() {
+            3 => [theme::AXIS_X, theme::AXIS_Y, theme::AXIS_Z][part.min(2)],
+            _ if self.curves.len() > 1 => tint_of(drawn.id),
+            _ => theme::key(ui),
+        }
+    }
+
     fn grid(&self, ui: &Ui, painter: &Painter, first: &Drawn) {
         let [low, high] = first.ends;
         let least = (high - low) * f64::from(TICK / self.rect.height().max(1.0));
@@ -159,7 +168,7 @@ impl Plot {
             let x = self.rect.left() + self.rect.width() * i as f32 / count as f32;
             pos2(x, self.y_of(drawn, drawn.curve.at(self.span.time_at(x), part)))
         });
-        painter.add(Shape::line(points.collect(), Stroke::new(1.6, tint(ui, &drawn.target, part))));
+        painter.add(Shape::line(points.collect(), Stroke::new(1.6, self.tint(ui, drawn, part))));
     }
 
     fn keys(
@@ -171,7 +180,7 @@ impl Plot {
         reading: &Reading<'_>,
         (spots, actions): (&mut Vec<Spot>, &mut Vec<Action>),
     ) {
-        let color = tint(ui, &drawn.target, part);
+        let color = self.tint(ui, drawn, part);
         for (index, key) in in_sight(&track.keys, &self.span) {
             let place = (track.id, index);
             let value = drawn.curve.at(key.time_s, part);
@@ -208,10 +217,9 @@ impl Plot {
     }
 }
 
-/// x, y and z, or red, green and blue, as everywhere; a number alone as keys are.
-fn tint(ui: &Ui, target: &Target, part: usize) -> Color32 {
-    let of_three = matches!(target.property.kind, Kind::Color(_)) || target.parts() == 3;
-    if of_three { [theme::AXIS_X, theme::AXIS_Y, theme::AXIS_Z][part.min(2)] } else { theme::key(ui) }
+/// Of a track among others.
+pub(super) fn tint_of(track: TrackId) -> Color32 {
+    theme::group_tint(track.0)
 }
 
 /// A number at a scale of that step.

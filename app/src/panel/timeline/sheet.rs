@@ -13,6 +13,7 @@ use cloudwright_core::property::{Kind, Target};
 use cloudwright_core::scene::{KeyValue, Track, TrackId, TrackKey};
 use cloudwright_core::weather::Curve;
 use egui::{Align2, Color32, FontId, Mesh, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
+use std::sync::Arc;
 
 /// Of a line, points.
 pub(super) const LINE: f32 = 20.0;
@@ -126,6 +127,11 @@ impl Sheet<'_, '_> {
         } else if response.hovered() {
             painter.rect_filled(rect, 0.0, ui.visuals().widgets.hovered.weak_bg_fill.gamma_multiply(0.4));
         }
+        let among_others = self.reading.view.timeline.tracks.len() > 1;
+        if is_chosen && among_others && self.keys.is_none() && shown.target.is_some_and(|target| target.parts() == 1) {
+            let strip = Rect::from_min_size(rect.min + vec2(8.0, 5.0), vec2(4.0, rect.height() - 10.0));
+            painter.rect_filled(strip, 1.0, super::curves::tint_of(shown.id));
+        }
         let color = if is_chosen { ui.visuals().strong_text_color() } else { ui.visuals().text_color() };
         let font = TextStyle::Body.resolve(ui.style());
         let (left, right) = (rect.left_center() + vec2(LINE, 0.0), rect.right_center() - vec2(5.0, 0.0));
@@ -156,10 +162,8 @@ impl Sheet<'_, '_> {
         ui.painter().text(right, Align2::RIGHT_CENTER, text, font, ui.visuals().weak_text_color()).left()
     }
 
-    fn curve(&self, shown: &Shown) -> Option<&Curve> {
-        let target = shown.target?;
-        let curve = self.reading.session.derived().timeline().curve(target.owner, target.property.path);
-        curve.map(|curve| &**curve)
+    fn curve(&self, shown: &Shown) -> Option<Arc<Curve>> {
+        curve_of(self.reading.session.scene().tracks.with_id(shown.id)?, &shown.target?, self.reading)
     }
 
     fn track_keys(&mut self, ui: &Ui, rect: Rect, span: &Span, shown: &Shown, track: &Track) {
@@ -202,7 +206,7 @@ impl Sheet<'_, '_> {
             })
             .paint(ui);
         } else if kind.number().is_some_and(|number| number.min == 0.0 && number.max == 1.0) {
-            let color = theme::key(ui).gamma_multiply(0.35);
+            let color = theme::key(ui).gamma_multiply(0.25);
             samples(band, [rect.left(), rect.right()], |left, right| {
                 let share = curve.at(span.time_at((left + right) * 0.5), 0).clamp(0.0, 1.0) as f32;
                 let top = band.bottom() - share * band.height();
@@ -248,6 +252,13 @@ impl Sheet<'_, '_> {
             self.spots.push(Spot { at, what: What::Sum(tracks.clone()), time_s });
         }
     }
+}
+
+/// A track's curve, whether or not the scene shows it now.
+pub(super) fn curve_of(track: &Track, target: &Target, reading: &Reading<'_>) -> Option<Arc<Curve>> {
+    let known = reading.session.derived().timeline().curve(target.owner, target.property.path);
+    let fits = track.keys.iter().all(|key| key.value.parts().len() == target.parts()) && !track.keys.is_empty();
+    known.cloned().or_else(|| fits.then(|| Arc::new(Curve::new(track, target.turns()))))
 }
 
 /// The keys of some of the found tracks that stand at a time, or so near that they are drawn as one with it.

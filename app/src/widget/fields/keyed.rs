@@ -52,6 +52,11 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         Some(keyed.map_or(own, Value::Number))
     }
 
+    /// Whether a track says what is shown of the first thing.
+    pub(super) fn is_moved(&self, row: &'static Row<T>) -> bool {
+        self.target(row, 0).is_some_and(|target| self.reading.keyed_number(&target, 0).is_some())
+    }
+
     /// Whether not all things show the same.
     pub(super) fn parts_differ(&self, row: &'static Row<T>, part: usize) -> bool {
         let mut values = (0..self.things.len()).filter_map(|at| self.value(row, part, at));

@@ -20,6 +20,9 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
                     ui.label("to");
                 }
                 let Some(Value::Number(mut value)) = self.value(row, part, 0) else { continue };
+                if self.is_moved(row) {
+                    value = in_short(value);
+                }
                 let mixed = self.parts_differ(row, part);
                 let name = format!("{label} {part_label}");
                 if field(ui, name.trim_end(), number, &mut value, Look { whole, mixed }) {
@@ -37,6 +40,17 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
 /// What is typed and lies outside is not taken: the field keeps its value and says for a while which range it has.
 pub(crate) fn number_field(ui: &mut Ui, name: &str, number: &Number, value: &mut f64, whole: bool) -> bool {
     field(ui, name, number, value, Look { whole, mixed: false })
+}
+
+/// What a track makes of a number, without digits that nobody reads.
+fn in_short(value: f64) -> f64 {
+    let parts = match value.abs() {
+        1000.0.. => 1.0,
+        100.0.. => 10.0,
+        10.0.. => 100.0,
+        _ => 1000.0,
+    };
+    (value * parts).round() / parts
 }
 
 /// How a number is shown.
