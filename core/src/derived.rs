@@ -122,6 +122,16 @@ impl Derived {
         clouds_now(&self.clouds, &self.timeline, clock_s, rules)
     }
 
+    /// Whether any cloud forms or dissipates by terms of its own.
+    pub fn forms(&self) -> bool {
+        self.clouds.iter().any(|cloud| cloud.cloud.formation.is_some())
+    }
+
+    /// Whether anything but aircraft is not as it was when the clock was at another second.
+    pub fn moves(&self) -> bool {
+        self.forms() || self.timeline.moves()
+    }
+
     /// What the clock makes of the scene.
     pub fn timeline(&self) -> &Arc<Timeline> {
         &self.timeline

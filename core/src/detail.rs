@@ -6,7 +6,7 @@
 //! Planck and Ryu do in *Stochastic Simplification of Aggregate Detail*, 2007, would blend as many fragments as before,
 //! and fragments are what clouds cost.)
 
-use crate::sprites::{Atlas, Sprite};
+use crate::sprites::{Atlas, Cover, Sprite};
 use crate::weather::CloudNow;
 use rayon::prelude::*;
 use std::cmp::Ordering;
@@ -23,7 +23,8 @@ impl Detail {
     pub const FULL: Self = Self { kept: 1.0 };
 }
 
-/// Which sprites that comes to: always the same of the same clouds; of equal ones the first.
+/// Which sprites that comes to: always the same of the same clouds; of equal ones the first. Each cloud's sprites keep what
+/// was chosen of them, so that frames look it up.
 #[derive(Debug, Clone)]
 pub struct Subset<'a> {
     atlas: &'a Atlas,
@@ -31,23 +32,14 @@ pub struct Subset<'a> {
     least: Option<Vec<Option<Cover>>>,
 }
 
-/// What one sprite covers.
-#[derive(Debug, Clone, Copy)]
-struct Cover {
-    area: f32,
-    sprite: u32,
-}
-
 impl<'a> Subset<'a> {
     /// Of `clouds`, whose tiles are those of `atlas`.
     pub fn new(detail: Detail, clouds: &[CloudNow<'_>], atlas: &'a Atlas) -> Self {
-        let of_cloud = |CloudNow { placed: cloud, .. }: &CloudNow<'_>| {
+        let least_of = |CloudNow { placed: cloud, .. }: &CloudNow<'_>| {
             let count = (cloud.sprites.len() as f64 * f64::from(detail.kept.max(0.0))).ceil() as usize;
-            let mut covers: Vec<Cover> = cloud.sprites.iter().zip(0..).map(|(s, at)| Cover::of(s, at, atlas)).collect();
-            let last = count.min(covers.len()).checked_sub(1)?;
-            Some(*covers.select_nth_unstable_by(last, Cover::most_first).1)
+            cloud.sprites.least_of(count, atlas)
         };
-        let least = (detail.kept < 1.0).then(|| clouds.par_iter().map(of_cloud).collect());
+        let least = (detail.kept < 1.0).then(|| clouds.par_iter().map(least_of).collect());
         Self { atlas, least }
     }
 
@@ -61,15 +53,5 @@ impl<'a> Subset<'a> {
         let Some(least) = &self.least else { return true };
         let least = least.get(cloud).copied().flatten();
         least.is_some_and(|least| Cover::of(sprite, at, self.atlas).most_first(&least) != Ordering::Greater)
-    }
-}
-
-impl Cover {
-    fn of(sprite: &Sprite, at: u32, atlas: &Atlas) -> Self {
-        Self { area: sprite.width * sprite.height * atlas.mean_opacity(sprite.tile.into()), sprite: at }
-    }
-
-    fn most_first(&self, other: &Self) -> Ordering {
-        other.area.total_cmp(&self.area).then(self.sprite.cmp(&other.sprite))
     }
 }

@@ -48,19 +48,10 @@ impl<'a> Frame<'a> {
     /// What is seen of `scene`, whose `derived` is, with the tiles of `atlas`. It is of as many pixels as the sight's rules
     /// take samples.
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
-        let now = SceneNow::new(
-            scene,
-            (derived.clouds(), derived.timeline()),
-            sight.moment,
-            sight.rules.of_weather(),
-        );
+        let now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), sight.moment, sight.rules.of_weather());
         let frame = Self::of(now, derived, atlas, sight);
-        let models = aircraft_in_view(
-            (&scene.paths, &frame.now.aircraft),
-            &sight.meshes,
-            sight.moment.clock_s,
-            frame.view.eye,
-        );
+        let models =
+            aircraft_in_view((&scene.paths, &frame.now.aircraft), &sight.meshes, sight.moment.clock_s, frame.view.eye);
         Self { models, ..frame }
     }
 

@@ -65,6 +65,17 @@ pub struct Rules {
     pub samples_side: u32,
 }
 
+/// What moves in a scene, or before it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct Movement {
+    /// The eye.
+    pub flies: bool,
+    /// A cloud forms or dissipates, by terms of its own.
+    pub forms: bool,
+    /// A wind.
+    pub blows: bool,
+}
+
 impl Rules {
     /// What Cloudwright draws by on the CPU.
     pub const SHIPPED: Self = Self {
@@ -94,12 +105,14 @@ impl Rules {
         (self.facing, self.sorting) == (other.facing, other.sorting)
     }
 
-    /// Why these can't differ from the shipped ones in such a scene, if they can't: whether the eye `flies`, and
-    /// whether any cloud `forms` or dissipates.
-    pub fn without_effect(&self, flies: bool, forms: bool) -> Option<&'static str> {
+    /// Why these can't differ from the shipped ones where no more than that `moves`, if they can't.
+    pub fn without_effect(&self, moves: Movement) -> Option<&'static str> {
+        let Movement { flies, forms, blows } = moves;
         let locks = self.facing != FacingRule::BOUNDED && !self.facing.across_view;
         if self.forming != FormingRule::ClosedForm && !forms {
             Some("no cloud of the scene forms or dissipates")
+        } else if self.streaming != StreamingRule::ClosedForm && !blows {
+            Some("no wind blows in the scene")
         } else if self.sorting != Sorting::EachFrame && !flies {
             Some("in a still there is no older order")
         } else if locks && !flies {

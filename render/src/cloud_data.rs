@@ -15,7 +15,7 @@ use cloudwright_core::camera::View;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
-use cloudwright_core::sprites::{Group, PlacedCloud, Sprite};
+use cloudwright_core::sprites::{Group, PlacedCloud, Sprite, Sprites};
 use cloudwright_core::version::Version;
 use cloudwright_core::weather::CloudNow;
 use std::sync::Arc;
@@ -66,8 +66,18 @@ pub(crate) struct MomentTexels {
     formed_falloff: f32,
     growth: f32,
     opacity: f32,
+    scale: f32,
+    /// Sine and cosine.
+    turn: [f32; 2],
+    /// Negative in air that carries nothing.
+    reach_m: f32,
     unused: f32,
 }
+
+/// What the air makes of a sprite, as [`Stir::packed`].
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(transparent)]
+pub(crate) struct StirTexel([u32; 4]);
 
 /// A sprite near the eye, in one frame.
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -82,11 +92,13 @@ pub(crate) struct PoseTexels {
 /// A cloud as the textures hold it. Sprites and groups are told apart by where they are kept.
 #[derive(Debug)]
 struct Uploaded {
-    sprites: Arc<[Sprite]>,
+    sprites: Sprites,
     groups: Arc<[Group]>,
     cloud: CloudTexels,
     first_sprite: usize,
     first_group: usize,
+    /// Whether what the air makes of its sprites has been written.
+    has_stirs: bool,
 }
 
 /// All that the sprites pass reads but the atlas.
@@ -97,6 +109,8 @@ pub(crate) struct CloudData {
     pub(crate) clouds: DataTexture,
     pub(crate) moments: DataTexture,
     pub(crate) poses: DataTexture,
+    /// Empty until there is weather.
+    pub(crate) stirs: DataTexture,
     /// Cloud index, sprite address and pose of each sprite to draw, back to front.
     pub(crate) order: VertexBuffer,
     /// The same in the order that fades out.
@@ -104,6 +118,8 @@ pub(crate) struct CloudData {
     /// What sprites, groups and clouds hold, and of which version that is; nothing after an error.
     uploaded: Vec<Uploaded>,
     version: Option<Version>,
+    /// Whether colours or light of any cloud were those of a moment.
+    looks: bool,
     /// By the last update.
     pub(crate) bytes_uploaded: u64,
 }
@@ -116,10 +132,12 @@ impl CloudData {
             clouds: DataTexture::new(gpu, "clouds"),
             moments: DataTexture::new(gpu, "clouds in this frame"),
             poses: DataTexture::new(gpu, "poses"),
+            stirs: DataTexture::new(gpu, "what the air makes of sprites"),
             order: VertexBuffer::new(gpu, "the list of sprites in view"),
             older_order: VertexBuffer::new(gpu, "the list of sprites in view"),
             uploaded: Vec::new(),
             version: None,
+            looks: false,
             bytes_uploaded: 0,
         }
     }
@@ -131,10 +149,14 @@ impl CloudData {
     pub(crate) fn update(&mut self, gpu: &Gpu, frame: &Frame<'_>) -> Result<bool, RenderError> {
         let mut renewed = false;
         self.bytes_uploaded = 0;
-        if self.version != Some(frame.clouds_version) {
+        let looks = frame.now.clouds.iter().any(|cloud| cloud.look.is_some());
+        if self.version != Some(frame.clouds_version) || looks || self.looks {
             self.version = None;
-            renewed |= self.write_clouds(gpu, frame.clouds)?;
-            self.version = Some(frame.clouds_version);
+            renewed |= self.write_clouds(gpu, &frame.now.clouds)?;
+            (self.version, self.looks) = (Some(frame.clouds_version), looks);
+        }
+        if frame.now.air().is_some() {
+            renewed |= self.write_stirs(gpu, frame.clouds)?;
         }
         let moments: Vec<MomentTexels> =
             frame.now.clouds.iter().map(|cloud| moment_texels(cloud, &frame.view)).collect();
@@ -153,16 +175,17 @@ impl CloudData {
         Ok(renewed)
     }
 
-    fn write_clouds(&mut self, gpu: &Gpu, clouds: &[PlacedCloud]) -> Result<bool, RenderError> {
+    fn write_clouds(&mut self, gpu: &Gpu, clouds: &[CloudNow<'_>]) -> Result<bool, RenderError> {
         let before = std::mem::take(&mut self.uploaded);
         let (mut first_sprite, mut first_group) = (0, 0);
         let uploaded = clouds.iter().map(|cloud| {
-            let (sprites, groups) = (Arc::clone(&cloud.sprites), Arc::clone(&cloud.groups));
+            let (sprites, groups) = (cloud.placed.sprites.clone(), Arc::clone(cloud.groups()));
             let firsts = (first_sprite, first_group);
             (first_sprite, first_group) = (first_sprite + sprites.len(), first_group + groups.len());
-            Uploaded { sprites, groups, cloud: cloud_texels(cloud), first_sprite: firsts.0, first_group: firsts.1 }
+            let (first_sprite, first_group) = firsts;
+            Uploaded { sprites, groups, cloud: cloud_texels(cloud), first_sprite, first_group, has_stirs: false }
         });
-        let after: Vec<Uploaded> = uploaded.collect();
+        let mut after: Vec<Uploaded> = uploaded.collect();
         let new_sprites = self.sprites.reserve::<SpriteTexels>(gpu, first_sprite)?;
         let new_groups = self.groups.reserve::<GroupTexels>(gpu, first_group)?;
         let new_clouds = self.clouds.reserve::<CloudTexels>(gpu, after.len())?;
@@ -171,7 +194,7 @@ impl CloudData {
         let each = || after.iter().enumerate();
         let sprites = each().map(|(index, now)| {
             let is_known = known(index, new_sprites).is_some_and(|old| {
-                Arc::ptr_eq(&old.sprites, &now.sprites)
+                old.sprites.are(&now.sprites)
                     && (old.first_sprite, old.first_group) == (now.first_sprite, now.first_group)
             });
             let first_group = now.first_group as u32;
@@ -189,8 +212,30 @@ impl CloudData {
         self.bytes_uploaded += write_unknown(gpu, &self.sprites, sprites)
             + write_unknown(gpu, &self.groups, groups)
             + write_unknown(gpu, &self.clouds, clouds);
+        for (old, now) in before.iter().zip(&mut after) {
+            let same_place = old.sprites.are(&now.sprites) && old.first_sprite == now.first_sprite;
+            now.has_stirs = old.has_stirs && same_place;
+        }
         self.uploaded = after;
         Ok(new_sprites | new_groups | new_clouds)
+    }
+
+    /// What the air makes of the sprites of clouds of which it is not known yet.
+    fn write_stirs(&mut self, gpu: &Gpu, clouds: &[PlacedCloud]) -> Result<bool, RenderError> {
+        if self.uploaded.iter().all(|cloud| cloud.has_stirs) {
+            return Ok(false);
+        }
+        let count = self.uploaded.last().map_or(0, |last| last.first_sprite + last.sprites.len());
+        let is_new = self.stirs.reserve::<StirTexel>(gpu, count)?;
+        let texels =
+            |cloud: &'_ PlacedCloud| cloud.stirs().iter().map(|stir| StirTexel(stir.packed())).collect::<Vec<_>>();
+        let parts = self.uploaded.iter().zip(clouds).map(|(uploaded, cloud)| {
+            let is_known = uploaded.has_stirs && !is_new;
+            (uploaded.first_sprite, is_known, if is_known { Vec::new() } else { texels(cloud) }.into_iter())
+        });
+        self.bytes_uploaded += write_unknown(gpu, &self.stirs, parts);
+        self.uploaded.iter_mut().for_each(|cloud| cloud.has_stirs = true);
+        Ok(is_new)
     }
 
     /// The list's sprites. Those that their run fades have poses of their own, which are added to `poses`.
@@ -260,8 +305,9 @@ fn group_texels(group: &Group) -> GroupTexels {
     GroupTexels { center: group.center.to_array(), c: group.c, unused: [0.0; 2] }
 }
 
-fn cloud_texels(cloud: &PlacedCloud) -> CloudTexels {
-    let heights = cloud.color_levels.map(|level| level.height as f32);
+fn cloud_texels(cloud: &CloudNow<'_>) -> CloudTexels {
+    let (levels, cloud) = (cloud.color_levels(), cloud.placed);
+    let heights = levels.map(|level| level.height as f32);
     let [h0, h1, h2, h3, level_height_4] = heights;
     CloudTexels {
         center: cloud.center.to_array(),
@@ -271,7 +317,7 @@ fn cloud_texels(cloud: &PlacedCloud) -> CloudTexels {
         level_height_4,
         unused: 0.0,
         level_heights_0_to_3: [h0, h1, h2, h3],
-        level_colors: cloud.color_levels.map(|level| level.color.to_array()),
+        level_colors: levels.map(|level| level.color.to_array()),
     }
 }
 
@@ -282,6 +328,9 @@ fn moment_texels(cloud: &CloudNow<'_>, view: &View) -> MomentTexels {
         formed_falloff: cloud.formed.falloff,
         growth: cloud.growth,
         opacity: cloud.opacity,
+        scale: cloud.scale,
+        turn: cloud.turn,
+        reach_m: cloud.air.as_ref().map_or(-1.0, |air| air.reach_m),
         unused: 0.0,
     }
 }

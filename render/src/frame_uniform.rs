@@ -50,6 +50,12 @@ uniform! {
         pole_sines: [f32; 2],
         ground_cells_m: [f32; 4],
         veil: [f32; 4],
+        air_lean: [f32; 3],
+        air_turned: f32,
+        air_lean_shear: [f32; 3],
+        air_turbulence: f32,
+        air_swings: [f32; 3],
+        air_humidity: f32,
     }
 }
 
@@ -60,6 +66,7 @@ impl FrameUniform {
         let dome = &background.dome;
         let [red, green, blue] = &dome.parameters;
         let ground = background.ground.as_ref();
+        let air = now.air();
         let radiance = |color: Option<Rgb>| color.unwrap_or(Rgb::BLACK).to_array();
         Self {
             right_in_world: view.right.to_array(),
@@ -90,6 +97,12 @@ impl FrameUniform {
             pole_sines: facing::upright::POLE,
             ground_cells_m: GROUND_CELLS_M,
             veil: [frame.veil.r, frame.veil.g, frame.veil.b, frame.veil.a],
+            air_lean: air.map_or([0.0; 3], |air| air.lean.to_array()),
+            air_turned: air.map_or(0.0, |air| air.turned),
+            air_lean_shear: air.map_or([0.0; 3], |air| air.lean_shear.to_array()),
+            air_turbulence: air.map_or(0.0, |air| air.turbulence),
+            air_swings: air.map_or([0.0; 3], |air| air.swings),
+            air_humidity: air.map_or(1.0, |air| air.humidity),
         }
     }
 }

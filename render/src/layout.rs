@@ -21,12 +21,15 @@ pub fn sprite_constants() -> Vec<(&'static str, f64)> {
         ("GROUP_TEXELS", texels(size_of::<cloud_data::GroupTexels>())),
         ("CLOUD_TEXELS", texels(size_of::<cloud_data::CloudTexels>())),
         ("MOMENT_TEXELS", texels(size_of::<cloud_data::MomentTexels>())),
+        ("STIR_TEXELS", texels(size_of::<cloud_data::StirTexel>())),
         ("POSE_TEXELS", texels(size_of::<cloud_data::PoseTexels>())),
         ("FACES_EYE", f64::from(cloudwright_core::draw_list::FACES_EYE)),
         ("TILE_SIZE", cloudwright_core::sprites::TILE_SIZE as f64),
         ("GLOW_KEPT", f64::from(cloudwright_core::sky::GLOW_KEPT)),
         ("GLOW_FROM_COSINE", f64::from(cloudwright_core::sky::GLOW_FROM_COSINE)),
         ("HAZE_GLOW_COSINE", f64::from(cloudwright_core::sky::HAZE_GLOW_COSINE)),
+        ("CONDENSING", f64::from(cloudwright_core::weather::CONDENSING)),
+        ("SWAY", f64::from(cloudwright_core::weather::SWAY)),
         ("LAST_MIP", (cloudwright_core::sprites::MIP_LEVELS - 1) as f64),
     ]
 }

@@ -1,9 +1,11 @@
 //! Scenes small enough to draw slowly.
 
 use crate::authoring::{Sketch, Strew};
+use cloudwright_core::color::Rgb;
 use cloudwright_core::scene::{
     Aircraft, AircraftId, BoxId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, CullRadius, Formation,
-    GroupCenter, GroupId, GroupLight, ModelId, PathId, PathKey, Scene, ShadingGroup, SpriteEdit, Sun,
+    GroupCenter, GroupId, GroupLight, HowFarFormed, KeyValue, ModelId, PathId, PathKey, Region, Scene, ShadingGroup,
+    SpriteEdit, Sun, Track, TrackId, TrackKey, Tuning,
 };
 use glam::{DQuat, DVec3, EulerRot};
 
@@ -102,7 +104,8 @@ pub fn everything() -> Scene {
     first.groups.extend(groups);
     for formation in [None, Some(Formation::default())] {
         let cloud = Cloud::new(CloudId::new(next), &scene.models[0], DVec3::new(0.0, 1000.0, 0.0));
-        scene.clouds.push(Cloud { formation, ..cloud });
+        let formed = Some(HowFarFormed { core: 0.75, edges: 0.5 });
+        scene.clouds.push(Cloud { formation, formed, ..cloud });
     }
     let key = |time_s| PathKey {
         time_s,
@@ -114,5 +117,10 @@ pub fn everything() -> Scene {
     let path = CameraPath::new(PathId::new(next), "path", vec![key(1.0), key(20.0)]);
     scene.aircraft.push(Aircraft::new(AircraftId::new(next), "aircraft", path.id));
     scene.paths.push(path);
+    let tuning = Tuning { scale: 2.0, tint: Rgb::new(1.0, 0.5, 0.25) };
+    (scene.sky.ambient_tuning, scene.sky.directional_tuning) = (tuning, tuning);
+    scene.weather.region = Some(Region::default());
+    let keys = vec![TrackKey::new(0.0, KeyValue::One(1.0)), TrackKey::new(9.0, KeyValue::One(2.0))];
+    scene.tracks.push(Track::new(TrackId::new(&mut scene.next_id), "sky/gain", keys));
     scene
 }

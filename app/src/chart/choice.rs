@@ -40,7 +40,7 @@ pub(crate) fn charted<'a>(subject: &Subject<'a>, asked: &[&'static Method]) -> (
 }
 
 fn one<'a>(subject: &Subject<'a>, method: &'static Method, adapter: &AdapterChoice) -> Result<Charted<'a>, String> {
-    match method.rules.without_effect(subject.flies(), subject.forms()) {
+    match method.rules.without_effect(subject.moves()) {
         Some(reason) => Err(format!("it would draw what “{}” draws: {reason}", method::shipped().name)),
         None => Charted::new(*subject, method, adapter).map_err(|error| match (error, adapter) {
             (RenderError::NoGpu(_), AdapterChoice::HardwareOnly) => {

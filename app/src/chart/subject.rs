@@ -3,6 +3,7 @@
 use super::report::Viewpoint;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::flight::PathCurve;
+use cloudwright_core::rules::Movement;
 use cloudwright_core::scene::{CameraPath, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -56,8 +57,9 @@ impl Subject<'_> {
         }
     }
 
-    /// Whether any of its clouds forms or dissipates.
-    pub fn forms(&self) -> bool {
-        self.derived.clouds().iter().any(|cloud| cloud.cloud.formation.is_some())
+    /// What moves in it.
+    pub fn moves(&self) -> Movement {
+        let blows = self.derived.timeline().wind().is_some();
+        Movement { flies: self.flies(), forms: self.derived.forms(), blows }
     }
 }

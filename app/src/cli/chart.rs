@@ -41,7 +41,7 @@ pub(super) struct Arguments {
     /// Draw a still from the camera of this name
     #[arg(long, value_name = "NAME", conflicts_with = "path")]
     camera: Option<String>,
-    /// Fly along the path of this name; without --camera and --path the scene's first path, or its first camera
+    /// Fly along the path of this name; without --camera, --path and --at the scene's first path, or its first camera
     #[arg(long, value_name = "NAME")]
     path: Option<String>,
     /// Methods by name, with commas between; all that make a difference if not given
@@ -53,6 +53,9 @@ pub(super) struct Arguments {
     /// Time of day; the scene's if not given
     #[arg(long, value_name = "HH:MM", value_parser = time_of_day)]
     time: Option<f64>,
+    /// Seconds of the scene's clock at which the camera looks, 0 if not given; along a path the clock is the flight's
+    #[arg(long, value_name = "SECONDS", conflicts_with = "path", value_parser = arguments::seconds)]
+    at: Option<f64>,
     /// How often each method is timed, 1 to 100; the median counts
     #[arg(long, value_name = "N", default_value_t = 3, value_parser = clap::value_parser!(u32).range(1..=100))]
     repeat: u32,
@@ -68,6 +71,7 @@ fn help() -> String {
     let mut help = "Examples:
   cloudwright chart fair_weather.cloudscene -o chart
   cloudwright chart overcast.cloudscene -o chart --camera within --size 960x540
+  cloudwright chart summer_day.cloudscene -o chart --camera main --at 45
   cloudwright chart overcast.cloudscene -o chart --methods truth,fast,half,quarter --tolerance 0.01
 
 Along a path, errors are measured at five places spread over it, and at each the change to the next of 30 frames a
@@ -90,7 +94,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let what = format!("{}: clouds: there are no sprites, so all methods draw the same", arguments.scene.display());
         return Err(Failure::argument(what, "add a cloud, with boxes in its model"));
     }
-    let moment = Moment { time_h: arguments.time, ..Moment::default() };
+    let moment = Moment { clock_s: arguments.at.unwrap_or_default(), time_h: arguments.time };
+    let camera = match path {
+        Some(_) => camera,
+        None => derived.timeline().camera_at(&camera, moment.clock_s),
+    };
     let sight = &Sight { moment, ..Sight::still(&camera, arguments.size) };
     let subject = Subject { scene: &scene, derived: &derived, atlas: beside.sheet(), sight, path };
     let (charted, left_out) = choice::charted(&subject, &arguments.methods);
@@ -160,6 +168,8 @@ fn eye<'a>(scene: &'a Scene, arguments: &Arguments) -> Result<(Camera, Option<&'
     let file = &arguments.scene;
     let path = match (&arguments.camera, &arguments.path) {
         (None, Some(name)) => Some(input::path(scene, file, name)?),
+        // A moment is a still's.
+        (None, None) if arguments.at.is_some() => None,
         (None, None) => scene.paths.iter().find(|path| path.keys.len() > 1),
         (Some(_), _) => None,
     };

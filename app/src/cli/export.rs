@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 #[command(after_help = "Examples:
   cloudwright export fair_weather.cloudscene -o sprites.json
   cloudwright export fair_weather.cloudscene -o sprites.csv
+  cloudwright export summer_day.cloudscene -o evening.json --at 45
   cloudwright export fair_weather.cloudscene -o lit.json --shaded --time 18:30 --camera main")]
 pub(super) struct Arguments {
     /// Scene to export

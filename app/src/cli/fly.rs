@@ -1,8 +1,9 @@
-//! `cloudwright fly`: the pictures of a flight along a camera path, and a video of them.
+//! `cloudwright fly`: the pictures of a flight along a camera path, or of weather from one camera, and a video of them.
 //!
-//! A frame depends on its number alone, not on what was drawn before it ([`Playback`] makes the view's history in fixed
+//! A frame depends on its number alone, not on what was drawn before it ([`Eye`] makes the view's history in fixed
 //! steps). So a run that was broken off goes on where it stopped: frames that are there whole are kept.
 
+mod eye;
 mod frames;
 mod video;
 
@@ -16,13 +17,12 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::sight::Sight;
-use cloudwright_core::view_history::Playback;
 use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::Moment;
+use eye::Eye;
 use frames::Frames;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -30,16 +30,24 @@ use std::sync::Arc;
   cloudwright fly fair_weather.cloudscene --path through -o pictures --size 1920x1080
   cloudwright fly fair_weather.cloudscene --path through -o pictures --frames 90..120 --fps 60
   cloudwright fly fair_weather.cloudscene --path through -o smooth.mp4 --samples 4 --sorting crossfade
+  cloudwright fly summer_day.cloudscene --still main -o day.mp4
+  cloudwright fly summer_day.cloudscene --still main --seconds 10 --fps 24 -o pictures
 
-Frame I shows the flight I / FPS seconds after its start, as PATH_0000I.png; in PATH, letters and numbers are the name's. It is the same alone or in a sequence.
+Frame I shows the scene I / FPS seconds after the clock's 0, as PATH_0000I.png or still_CAMERA_0000I.png; in PATH and CAMERA, letters and numbers are the name's. It is the same alone or in a sequence. From a camera it is what render --at draws: sprites near it face it, whatever it has seen before.
 Frames that are there already, whole and of the same size, are kept: a run that was broken off goes on. Empty the folder
 when scene or options have changed. A video needs ffmpeg; its frames stay in a folder beside it, OUT_frames.")]
 pub(super) struct Arguments {
     /// Scene to fly through
     scene: PathBuf,
     /// Name of the camera path
-    #[arg(long, value_name = "NAME")]
-    path: String,
+    #[arg(long, value_name = "NAME", required_unless_present = "still")]
+    path: Option<String>,
+    /// Name of a camera to film the weather from: it stands still, or goes as its tracks say
+    #[arg(long, value_name = "CAMERA", conflicts_with_all = ["path", "sorting"])]
+    still: Option<String>,
+    /// How long to film from that camera; up to the last key of all tracks if not given
+    #[arg(long, value_name = "SECONDS", requires = "still", value_parser = arguments::seconds)]
+    seconds: Option<f64>,
     /// Folder to write the frames to, or a video, .mp4
     #[arg(short, long, value_name = "DIR|MP4")]
     output: PathBuf,
@@ -84,12 +92,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         video::check_size(arguments.size)?;
     }
     let (scene, beside) = opening::open(&arguments.scene)?;
-    let path = input::path(&scene, &arguments.scene, &arguments.path)?;
-    let mut playback = Playback::new(path, rules);
-    let numbers = frames::chosen(arguments.frames.clone(), playback.duration_s(), arguments.fps)?;
+    let mut eye = match (&arguments.path, &arguments.still) {
+        (Some(path), _) => Eye::along(input::path(&scene, &arguments.scene, path)?, rules),
+        (None, camera) => {
+            let camera = input::camera(&scene, &arguments.scene, camera.as_deref())?;
+            Eye::still(camera, arguments.seconds, (&scene, &arguments.scene))?
+        }
+    };
+    let numbers = frames::chosen(arguments.frames.clone(), eye.duration_s(), arguments.fps)?;
     let folder = if is_video { video::frames_folder(&arguments.output) } else { arguments.output.clone() };
-    let path_name = frames::file_name_of(path, &scene);
-    let frames = Frames { folder, path_name, size: arguments.size, numbers: numbers.clone() };
+    let name = frames::file_name_of(eye.thing(), &scene);
+    let frames = Frames { folder, name, size: arguments.size, numbers: numbers.clone() };
     let spare = |output: &Path| input::spare_inputs(&scene, &arguments.scene, output);
     frames.there().iter().try_for_each(|frame| spare(frame))?;
     if is_video {
@@ -109,11 +122,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             continue;
         }
         let clock_s = f64::from(number) / f64::from(arguments.fps);
-        let (camera, history) = playback.seek(&derived, clock_s);
+        let (camera, history) = eye.at(&derived, clock_s);
         let sight = Sight {
             moment: Moment { clock_s, time_h: arguments.time },
             meshes: beside.meshes().clone(),
-            history: Arc::clone(history),
+            history,
             rules: painter.rules,
             ..Sight::still(&camera, arguments.size)
         };

@@ -6,7 +6,7 @@ use crate::opening;
 use crate::visible::{self, one_line};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::flight::PathCurve;
-use cloudwright_core::scene::{CameraPath, CloudId, ModelId, PathId, Scene};
+use cloudwright_core::scene::{Beyond, CameraPath, CloudId, ModelId, PathId, Scene, Track};
 use cloudwright_core::sprites::PlacedCloud;
 use glam::DVec3;
 use serde::Serialize;
@@ -17,7 +17,9 @@ use std::path::PathBuf;
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   cloudwright info fair_weather.cloudscene
-  cloudwright info --json fair_weather.cloudscene")]
+  cloudwright info --json fair_weather.cloudscene
+
+Of tracks: what they move, their keys, the seconds of the first and the last, and what they do before and after.")]
 pub(super) struct Arguments {
     /// Scene to count
     scene: PathBuf,
@@ -33,6 +35,7 @@ struct SceneCounts {
     boxes: usize,
     cameras: Vec<String>,
     paths: Vec<PathCounts>,
+    tracks: Vec<TrackCounts>,
     total: Total,
     clouds: Vec<CloudCounts>,
 }
@@ -45,6 +48,17 @@ struct PathCounts {
     keys: usize,
     /// The names of those that fly along it.
     aircraft: Vec<String>,
+}
+
+#[derive(Serialize)]
+struct TrackCounts {
+    /// The address of what it moves.
+    property: String,
+    keys: usize,
+    from_s: f64,
+    to_s: f64,
+    before: Beyond,
+    after: Beyond,
 }
 
 #[derive(Serialize)]
@@ -126,6 +140,7 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> SceneCounts {
         boxes: scene.models.iter().map(|model| model.boxes.len()).sum(),
         cameras: scene.cameras.iter().map(|camera| camera.name.clone()).collect(),
         paths: paths(scene),
+        tracks: scene.tracks.iter().map(count_track).collect(),
         total: Total {
             clouds: clouds.len(),
             boxes: clouds.iter().map(|cloud| cloud.boxes).sum(),
@@ -152,8 +167,22 @@ fn paths(scene: &Scene) -> Vec<PathCounts> {
     scene.paths.iter().map(count).collect()
 }
 
+fn count_track(track: &Track) -> TrackCounts {
+    let [from_s, to_s] = [track.keys.first(), track.keys.last()].map(|key| key.map_or(0.0, |key| key.time_s));
+    let (keys, before, after) = (track.keys.len(), track.before, track.after);
+    TrackCounts { property: track.property.clone(), keys, from_s, to_s, before, after }
+}
+
+const fn beyond_in_words(beyond: Beyond) -> &'static str {
+    match beyond {
+        Beyond::Hold => "holds",
+        Beyond::Repeat => "repeats",
+        Beyond::Swing => "swings",
+    }
+}
+
 fn as_text(counts: &SceneCounts) -> String {
-    let SceneCounts { name, models, boxes, cameras, paths, total, clouds } = counts;
+    let SceneCounts { name, models, boxes, cameras, paths, tracks, total, clouds } = counts;
     let [models, boxes] = [counted(*models, "model", "models"), counted(*boxes, "box", "boxes")];
     let mut out = one_line(&format!("{name}: {models}, {boxes}, {}", counted(total.clouds, "cloud", "clouds")));
     let _ = write!(out, "\ncameras: {}\n\n", one_line(&cameras.join(", ")));
@@ -166,6 +195,7 @@ fn as_text(counts: &SceneCounts) -> String {
         }
         out.push('\n');
     }
+    write_tracks(&mut out, tracks);
     let _ = writeln!(out, "{:<24} {:>6} {:>8} {:>8} {:>6}  bounds, m", "cloud", "boxes", "tried", "sprites", "groups");
     for cloud in clouds {
         let CloudCounts { name, boxes, sprites_tried, sprites, groups, bounds, .. } = cloud;
@@ -177,6 +207,19 @@ fn as_text(counts: &SceneCounts) -> String {
     let bounds = in_words(*bounds);
     let _ = writeln!(out, "{:<24} {boxes:>6} {sprites_tried:>8} {sprites:>8} {groups:>6}  {bounds}", "total");
     out
+}
+
+fn write_tracks(out: &mut String, tracks: &[TrackCounts]) {
+    if tracks.is_empty() {
+        return;
+    }
+    let _ = writeln!(out, "{:<32} {:>6} {:>10} {:>10}  {:<8} after", "track", "keys", "from, s", "to, s", "before");
+    for TrackCounts { property, keys, from_s, to_s, before, after } in tracks {
+        let property = one_line(property);
+        let [before, after] = [*before, *after].map(beyond_in_words);
+        let _ = writeln!(out, "{property:<32} {keys:>6} {from_s:>10.1} {to_s:>10.1}  {before:<8} {after}");
+    }
+    out.push('\n');
 }
 
 fn in_words(bounds: Option<Bounds>) -> String {

@@ -21,7 +21,8 @@ const MAX_SAMPLES: u64 = 1 << 27;
   cloudwright render storm.cloudscene -o storm.png --camera cockpit --time 18:30 --size 1920x1080
   cloudwright render storm.cloudscene -o smooth.png --samples 4 --renderer cpu
   cloudwright render storm.cloudscene -o truth.png --truth --samples 64
-  cloudwright render storm.cloudscene -o half.png --method half")]
+  cloudwright render storm.cloudscene -o half.png --method half
+  cloudwright render summer_day.cloudscene -o evening.png --at 45")]
 pub(super) struct Arguments {
     /// Scene to draw
     scene: PathBuf,
@@ -34,7 +35,8 @@ pub(super) struct Arguments {
     /// Time of day; the scene's if not given
     #[arg(long, value_name = "HH:MM", value_parser = time_of_day)]
     time: Option<f64>,
-    /// Seconds of the scene's clock: how far clouds have formed, and where aircraft are
+    /// Seconds of the scene's clock: what its tracks and the wind have moved by then, how far clouds have formed, and
+    /// where aircraft are
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = arguments::seconds)]
     at: f64,
     /// Width and height in pixels
@@ -57,7 +59,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         moment: Moment { clock_s: arguments.at, time_h: arguments.time },
         meshes: beside.meshes().clone(),
         rules: painter.rules,
-        ..Sight::still(camera, arguments.size)
+        ..Sight::still(&derived.timeline().camera_at(camera, arguments.at), arguments.size)
     };
     let progress = Progress::start("rendering");
     let frame = Frame::new(&scene, &derived, beside.sheet(), &sight);

@@ -40,13 +40,13 @@ pub(super) enum Subcommand {
     New(new::Arguments),
     /// Draw a scene as a PNG
     Render(render::Arguments),
-    /// Draw a flight along a camera path, as PNG files or a video
+    /// Draw a flight along a camera path, or weather from one camera, as PNG files or a video
     Fly(fly::Arguments),
     /// Chart what methods of drawing cost against what they get wrong
     Chart(chart::Arguments),
     /// List the problems of scenes
     Check(check::Arguments),
-    /// Count a scene's models, boxes and sprites
+    /// Count a scene's models, boxes and sprites, and list its tracks
     Info(info::Arguments),
     /// Write a scene's sprites for other tools
     Export(export::Arguments),

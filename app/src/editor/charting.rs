@@ -48,10 +48,10 @@ impl Editor {
         same_scene && same_eye() && sight.hidden == view.hidden_in(session.scene())
     }
 
-    /// That of the view; the beginning of the clock where nothing forms, since it shows nowhere there.
+    /// That of the view; the beginning of the clock where that moves nothing, since it shows nowhere there.
     fn moment(&self) -> Moment {
-        let forms = self.session.scene().clouds.iter().any(|cloud| cloud.formation.is_some());
-        Moment { clock_s: if forms { self.clock.time_s() } else { 0.0 }, time_h: self.time_play.time_h() }
+        let moves = self.session.derived().moves();
+        Moment { clock_s: if moves { self.clock.time_s() } else { 0.0 }, time_h: self.time_play.time_h() }
     }
 
     fn measure(&mut self, context: &egui::Context) {

@@ -70,9 +70,9 @@ fn item_at(place: &str, scene: &Scene) -> Option<(Item, String)> {
         Some((list, rest.strip_suffix(']')?.parse::<usize>().ok()?))
     });
     let (list, at) = parts.next()??;
-    let mut place = Place { scene, list, at, found: None };
-    for_each_kind(&mut place);
-    let (item, name) = place.found?;
+    let mut position = Position { scene, list, at, found: None };
+    for_each_kind(&mut position);
+    let (item, name) = position.found?;
     let part = scene.models.get(at).filter(|model| item == Item::Model(model.id)).and_then(|model| {
         Some(match parts.next()?? {
             ("boxes", at) => model.boxes.get(at).map(|each| (Item::Box(model.id, each.id), each.name.clone()))?,
@@ -89,14 +89,14 @@ fn item_at(place: &str, scene: &Scene) -> Option<(Item, String)> {
 }
 
 /// A position in a list of the scene, and what stands there.
-struct Place<'a> {
+struct Position<'a> {
     scene: &'a Scene,
     list: &'a str,
     at: usize,
     found: Option<(Item, String)>,
 }
 
-impl ForKind for Place<'_> {
+impl ForKind for Position<'_> {
     fn kind<T: Listed>(&mut self) {
         if T::LIST == self.list {
             self.found = T::list(self.scene).get(self.at).map(|value| (T::thing(value.id()), value.name().into()));

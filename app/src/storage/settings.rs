@@ -91,7 +91,7 @@ impl Settings {
         }
         if unreadable.is_some() {
             // Kept for whoever wrote it, perhaps a newer version.
-            let _ = fs::rename(&path, path.with_extension("unreadable.json"));
+            let _ = fs::rename(&path, aside(&path));
         }
         fs::create_dir_all(&folders.config).map_err(|error| StorageError::write(&folders.config, &error))?;
         let text = serde_json::to_string_pretty(&settings)
@@ -118,6 +118,17 @@ impl Settings {
 
 fn file(folders: &Folders) -> PathBuf {
     folders.config.join("settings.json")
+}
+
+/// A free name for a file that can't be understood: what was put aside before stays too.
+fn aside(path: &Path) -> PathBuf {
+    let mut kept = path.with_extension("unreadable.json");
+    let mut number = 1_u32;
+    while fs::symlink_metadata(&kept).is_ok() {
+        number += 1;
+        kept = path.with_extension(format!("unreadable-{number}.json"));
+    }
+    kept
 }
 
 fn understand(bytes: &[u8]) -> Result<Settings, String> {
@@ -153,6 +164,7 @@ mod tests {
         let home = tempfile::tempdir().expect("a folder");
         let folders = Folders::within(home.path());
         fs::create_dir_all(&folders.config).expect("writable");
+        let mut kept = Vec::new();
         for bad in ["", "{", "null", "{\"version\": 2}", "{\"recent\": 3}", "{\"theme\": \"pink\"}", "\u{0}"] {
             fs::write(file(&folders), bad).expect("writable");
             let (settings, notice) = Settings::load(&folders);
@@ -160,7 +172,13 @@ mod tests {
             assert!(notice.is_some_and(|notice| notice.contains("settings.json")), "{bad}");
             Settings::change(&folders, |settings| settings.theme = ThemeChoice::Light).expect("writable");
             assert_eq!(Settings::load(&folders).0.theme, ThemeChoice::Light);
-            assert_eq!(fs::read_to_string(folders.config.join("settings.unreadable.json")).expect("kept"), bad);
+            kept.push(bad);
+            let names = (1..=kept.len()).map(|n| match n {
+                1 => "settings.unreadable.json".into(),
+                n => format!("settings.unreadable-{n}.json"),
+            });
+            let there: Vec<_> = names.map(|name| fs::read_to_string(folders.config.join(name)).ok()).collect();
+            assert_eq!(there, kept.iter().map(|kept| Some((*kept).to_owned())).collect::<Vec<_>>(), "all of them");
         }
         fs::write(file(&folders), "{\"later_field\": 1, \"theme\": \"light\"}").expect("writable");
         assert_eq!(Settings::load(&folders).0.theme, ThemeChoice::Light, "what it knows, it takes");

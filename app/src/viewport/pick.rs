@@ -249,7 +249,7 @@ mod tests {
         let mut each = CloudBox::new(BoxId(1), DVec3::new(0.0, 10.0, 0.0));
         each.size = DVec3::new(20.0, 2.0, 2.0);
         each.orientation = DQuat::from_rotation_y(1.0);
-        let model = CloudModel::new(ModelId(1), "heap", Category::CumulusCongestus);
+        let model = CloudModel::new(ModelId(1), "", Category::CumulusHumilis);
         let cloud = Cloud { heading_deg: 1.0_f64.to_degrees(), scale: 2.0, ..Cloud::new(CloudId(1), &model, far) };
         // Heading and orientation cancel out: the box lies along x, 20 m above the cloud's position.
         let rect = Rect::from_min_max(pos2(0.0, 0.0), pos2(100.0, 100.0));

@@ -28,7 +28,7 @@ impl<'a> Places<'a> {
     pub(super) fn drift(&self, cloud: &Cloud) -> DVec3 {
         let derived = self.reading.session.derived();
         let timeline = derived.timeline();
-        if timeline.is_empty() && timeline.wind().is_none() {
+        if !timeline.moves() {
             return DVec3::ZERO;
         }
         let now = derived.index_of(cloud.id).and_then(|at| self.now.get_or_init(|| self.reading.clouds_now()).get(at));

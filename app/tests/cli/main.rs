@@ -20,6 +20,7 @@ mod special_files;
 mod stopping;
 mod terminal;
 mod thin;
+mod weather;
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

@@ -29,13 +29,13 @@ pub(super) fn two_clouds() -> Scene {
             new.group = (j > 0).then_some(group);
             model.boxes.push(new);
         }
-        let position = DVec3::new(-3000.0 * i, 900.0, 2000.0 * i);
+        let id = CloudId::new(&mut scene.next_id);
         scene.clouds.push(Cloud {
             name: "cloud".into(),
             heading_deg: 35.0 * i,
             scale: 1.0 + 0.5 * i,
             seed: (i > 1.0).then_some(99),
-            ..Cloud::new(CloudId::new(&mut scene.next_id), &model, position)
+            ..Cloud::new(id, &model, DVec3::new(-3000.0 * i, 900.0, 2000.0 * i))
         });
         scene.models.push(model);
     }

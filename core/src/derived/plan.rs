@@ -54,7 +54,8 @@ impl<'a> Plan<'a> {
         let mut plan = Self {
             before,
             scene,
-            retimes: change.touches_weather(),
+            // Tracks of looks know their models.
+            retimes: change.touches_weather() || (before.timeline.moves_looks() && change.touches_models()),
             ground_altitude_m,
             kept: FxHashMap::default(),
             fresh: Vec::new(),
@@ -161,7 +162,7 @@ impl<'a> Plan<'a> {
             Step::Dress(old, cloud, populated) => {
                 let had = &before.sources[old];
                 let keeps = [had.cloud.position == cloud.position, same_light(&had.populated.model, &populated.model)];
-                let model = (&populated.model, &*populated.sprites);
+                let model = (&*populated.model, &*populated.sprites);
                 let dressed = dress(&before.clouds[old], cloud, model, keeps);
                 Some((dressed, Source { cloud: Arc::clone(cloud), ground_altitude_m, populated }))
             }

@@ -40,8 +40,7 @@ impl Poses {
         let of_cloud = |(index, cloud): (usize, &CloudNow<'_>)| {
             let mut posed = Vec::new();
             memory.poses_of(rule, (known.index(index as u32), cloud), view, 2.0 * reach, |sprite, mut pose| {
-                let to_eye =
-                    (view.eye - cloud.origin()).as_vec3() - cloud.sprite_now(sprite as usize).position;
+                let to_eye = (view.eye - cloud.origin()).as_vec3() - cloud.sprite_now(sprite as usize).position;
                 pose.fade *= near_fade(pose.towards.dot(to_eye), reach);
                 posed.push(Posed { sprite, pose });
             });

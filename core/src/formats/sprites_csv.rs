@@ -16,7 +16,12 @@ const CORNER_NAMES: [&str; 4] = ["top_left", "top_right", "bottom_right", "botto
 ///
 /// # Errors
 /// Those of `out`.
-pub fn write(out: &mut impl Write, clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
+pub fn write(
+    out: &mut impl Write,
+    clouds: &[CloudNow<'_>],
+    shaded: Option<Still<'_>>,
+    watch: &Watch,
+) -> io::Result<()> {
     watch.expect(clouds.iter().map(|cloud| cloud.placed.sprites.len() as u64).sum());
     write!(out, "cloud,name,category,box,index,x,y,z,width,height,rotation_deg,tile,group")?;
     if shaded.is_some() {

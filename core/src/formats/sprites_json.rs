@@ -67,7 +67,12 @@ struct CornerOut {
 ///
 /// # Errors
 /// Those of `out`. None of its own in practice: every number of a placed cloud is finite.
-pub fn write(out: &mut impl Write, clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>, watch: &Watch) -> io::Result<()> {
+pub fn write(
+    out: &mut impl Write,
+    clouds: &[CloudNow<'_>],
+    shaded: Option<Still<'_>>,
+    watch: &Watch,
+) -> io::Result<()> {
     watch.expect(clouds.iter().map(|cloud| cloud.placed.sprites.len() as u64).sum());
     let mut file = LongObject::begin(out, 0)?;
     file.field("format", &"cloudwright-sprites".into())?;

@@ -31,10 +31,12 @@ pub struct Counts {
 const SPRITE_IN_ORDER_BYTES: u64 = 12;
 /// … how one near the eye faces it, …
 const POSE_BYTES: u64 = 32;
-/// … and where a cloud is from the eye and how far it has formed.
-const MOMENT_BYTES: u64 = 32;
+/// … and where a cloud is from the eye, how it is turned and how far it has formed.
+const MOMENT_BYTES: u64 = 48;
 /// For each state of the clouds: a sprite, …
 const SPRITE_BYTES: u64 = 32;
+/// … what the air makes of it, if there is weather, …
+const STIR_BYTES: u64 = 16;
 /// … a shading group, …
 const GROUP_BYTES: u64 = 32;
 /// … and a cloud with its colour levels.
@@ -59,7 +61,7 @@ impl Counts {
             bytes_uploaded: sprites * SPRITE_IN_ORDER_BYTES
                 + frame.list.poses.len() as u64 * POSE_BYTES
                 + clouds * MOMENT_BYTES,
-            bytes_of_clouds: bytes_of_change(&[], frame.clouds),
+            bytes_of_clouds: bytes_of_change(&[], frame.clouds) + bytes_of_stirs(frame),
             keys_sorted: sprites,
         }
     }
@@ -75,7 +77,7 @@ pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
     for now in after {
         let then = before.next();
         let is_known = |same: fn(&PlacedCloud, &PlacedCloud) -> bool| then.is_some_and(|then| same(then, now));
-        let sprites_known = is_known(|a, b| Arc::ptr_eq(&a.sprites, &b.sprites)) && sprites[0] == sprites[1];
+        let sprites_known = is_known(|a, b| a.sprites.are(&b.sprites)) && sprites[0] == sprites[1];
         let groups_known = is_known(|a, b| Arc::ptr_eq(&a.groups, &b.groups));
         let (sprite_count, group_count) = (now.sprites.len() as u64, now.groups.len() as u64);
         if groups[0] != groups[1] || !sprites_known {
@@ -99,4 +101,10 @@ pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
 fn looks_alike(a: &PlacedCloud, b: &PlacedCloud) -> bool {
     let extent = |cloud: &PlacedCloud| (cloud.center, cloud.radius, cloud.bottom, cloud.top);
     extent(a) == extent(b) && a.color_levels == b.color_levels
+}
+
+/// Of what the air makes of each sprite; nothing of a scene without weather.
+fn bytes_of_stirs(frame: &Frame<'_>) -> u64 {
+    let sprites = |clouds: &[PlacedCloud]| clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum::<u64>();
+    if frame.now.air().is_some() { sprites(frame.clouds) * STIR_BYTES } else { 0 }
 }

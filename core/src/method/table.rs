@@ -7,7 +7,8 @@ use crate::facing::FacingRule;
 use crate::raster::truth::SIDE;
 use crate::rules::{Filter, NEVER_STOP, Rasterizer, Rules};
 use crate::variants::{
-    LOCK_WITHOUT_FADE, NO_LOCK, SIMGEAR, SKYWORKS, STEPPED_10, STEPPED_AS_PRINTED, STEPPED_MENDED, VIEW_PLANE, WANGS_DOT_PRODUCT,
+    LOCK_WITHOUT_FADE, NO_LOCK, SIMGEAR, SKYWORKS, STEPPED_10, STEPPED_AS_PRINTED, STEPPED_MENDED, VIEW_PLANE,
+    WANGS_DOT_PRODUCT,
 };
 use crate::weather::{FormingRule, Stepped, StreamingRule};
 

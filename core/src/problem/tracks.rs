@@ -60,7 +60,11 @@ fn check_track(place: Arguments<'_>, track: &Track, scene: &Scene, problems: &mu
         } else {
             continue;
         };
-        problems.push(Problem::error(format!("{place}.keys[{}].time_s", i + 1), message, "keys stand in order of time"));
+        problems.push(Problem::error(
+            format!("{place}.keys[{}].time_s", i + 1),
+            message,
+            "keys stand in order of time",
+        ));
     }
     check_seam(place, track, &target, problems);
 }
@@ -69,7 +73,11 @@ fn check_key(place: Arguments<'_>, key: &TrackKey, target: &Target, problems: &m
     // NaN is within nothing.
     if !(key.time_s.abs() <= MAX_TIME_S) {
         let message = format!("{} is no time", key.time_s);
-        problems.push(Problem::error(format!("{place}.time_s"), message, format!("use -{MAX_TIME_S} to {MAX_TIME_S} s")));
+        problems.push(Problem::error(
+            format!("{place}.time_s"),
+            message,
+            format!("use -{MAX_TIME_S} to {MAX_TIME_S} s"),
+        ));
     }
     let (parts, wanted) = (key.value.parts(), target.parts());
     if parts.len() != wanted {

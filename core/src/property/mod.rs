@@ -35,6 +35,6 @@ pub use number::*;
 pub use owner::Owner;
 pub use reach::{Change, change};
 pub use row::{Property, Refusal, Row};
-pub use target::Target;
 pub use setting::{Choice, Kind, Parts, Value};
+pub use target::Target;
 pub use walk::{addresses, place, value, walk};

@@ -7,8 +7,10 @@ use super::{HEADING_DEG, Number, TIME_OF_DAY_H};
 use crate::scene::{Place, Scene, Sun};
 
 impl Described for Scene {
-    const TABLES: &'static [&'static [Row<Self>]] =
-        &[&[setting!(name: text("Name", "For people.")), numbers!(time_of_day_h: number(TIME_OF_DAY_H).cyclic(24.0).keyed())]];
+    const TABLES: &'static [&'static [Row<Self>]] = &[&[
+        setting!(name: text("Name", "For people.")),
+        numbers!(time_of_day_h: number(TIME_OF_DAY_H).cyclic(24.0).keyed()),
+    ]];
 }
 
 const LATITUDE_DEG: Number = Number::new("Latitude", &(-90.0..=90.0), "°", "North is positive.");

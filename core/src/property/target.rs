@@ -2,7 +2,7 @@
 //!
 //! Its address is the property's without a part: `cloud/7/position`.
 
-use super::address::{NoSuchProperty, tables};
+use super::address::{NoSuchProperty, Table, tables};
 use super::owner::Owner;
 use super::row::Property;
 use super::setting::Kind;
@@ -57,7 +57,9 @@ impl FromStr for Target {
 
     fn from_str(text: &str) -> Result<Self, NoSuchProperty> {
         let mut near = Vec::new();
-        for table in tables() {
+        // The scene itself has no name of its own, and would be the beginning of anything.
+        let may_be = |table: &&Table| !table.pattern.is_empty() || !text.contains('/');
+        for table in tables().filter(may_be) {
             let Some((owner, rest)) = table.read(text) else { continue };
             for property in (table.properties)().into_iter().filter(|property| property.keyed) {
                 let name = property.address_part();

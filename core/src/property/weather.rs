@@ -8,8 +8,12 @@ use crate::scene::Weather;
 
 const WIND_FROM_DEG: Number =
     Number::new("Wind from", &(-360.0..=360.0), "°", "Where the wind comes from, clockwise from north.");
-const WIND_SPEED_MPS: Number =
-    Number::new("Wind speed", &(0.0..=150.0), "m/s", "How fast the wind blows: it carries clouds, and their edges lean.");
+const WIND_SPEED_MPS: Number = Number::new(
+    "Wind speed",
+    &(0.0..=150.0),
+    "m/s",
+    "How fast the wind blows: it carries clouds, and their edges lean.",
+);
 const WIND_SHEAR: Number = Number::new(
     "Wind shear",
     &(-4.0..=4.0),
@@ -33,6 +37,12 @@ const DEW_POINT_C: Number = Number::new(
 );
 const GROWTH: Number =
     Number::new("Growth of heads", &(0.01..=10.0), "", "How much clouds that follow the base tower: 1 as they are.");
+const LEAN: Number = Number::new(
+    "Lean",
+    &(0.0..=4.0),
+    "",
+    "How far a cloud's edges lean with the wind: 1 by half its radius at 10 m/s, 0 not at all.",
+);
 const LAG_S: Number = Number::new("Lag", &(0.0..=3600.0), "s", "How long a cloud's edges take to follow the wind.");
 const TURN_DEG_PER_KM: Number =
     Number::new("Turning", &(0.0..=3600.0), "°/km", "How far sprites turn while the wind blows a kilometre.");
@@ -56,6 +66,7 @@ impl Described for Weather {
         numbers!(temperature_c: number(TEMPERATURE_C).keyed()),
         numbers!(dew_point_c: number(DEW_POINT_C).keyed()),
         numbers!(growth: number(GROWTH).keyed()),
+        numbers!(lean: number(LEAN).keyed()),
         numbers!(lag_s: number(LAG_S)),
         numbers!(turn_deg_per_km: number(TURN_DEG_PER_KM)),
         numbers!(day_speed: number(DAY_SPEED)),

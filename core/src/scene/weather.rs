@@ -26,6 +26,8 @@ pub struct Weather {
     pub dew_point_c: f64,
     /// Heights above their bases are multiplied with this, in clouds that follow the base.
     pub growth: f64,
+    /// How far a cloud's edges lean with the wind: 1 for half its radius at 10 m/s, 0 for not at all.
+    pub lean: f64,
     /// How long a cloud's edges take to follow the wind, seconds.
     pub lag_s: f64,
     /// How far sprites turn for each kilometre that the wind blows, degrees.
@@ -65,6 +67,7 @@ impl Default for Weather {
             temperature_c: 15.0,
             dew_point_c: 7.0,
             growth: 1.0,
+            lean: 1.0,
             lag_s: 20.0,
             turn_deg_per_km: 20.0,
             day_speed: 0.0,

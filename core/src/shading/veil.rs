@@ -35,7 +35,8 @@ pub fn veil(
     for (index, cloud) in clouds.iter().enumerate().filter(|(_, cloud)| !hidden.clouds.contains(&cloud.placed.id)) {
         let eye = (view.eye - cloud.origin()).as_vec3();
         for posed in poses.of_cloud(index) {
-            let (rest, sprite) = (&cloud.placed.sprites[posed.sprite as usize], cloud.sprite_now(posed.sprite as usize));
+            let (rest, sprite) =
+                (&cloud.placed.sprites[posed.sprite as usize], cloud.sprite_now(posed.sprite as usize));
             let gone = 1.0 - posed.pose.fade;
             if gone <= 0.0
                 || sprite.position.distance(eye) > lock_reach(sprite.radius())

@@ -9,16 +9,18 @@ mod candidates;
 mod cull;
 mod place;
 mod shapes;
+mod sprite;
 mod stir;
 
 pub use atlas::{Atlas, AtlasError, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
 pub(crate) use atlas::{FootprintTable, LEVEL_START, TABLE};
 pub use candidates::{Candidate, candidates, cull_radii};
 pub use cull::{cull, cull_slow};
-pub use place::{Group, GroupKey, PlacedCloud, Sprite, place};
+pub use place::{Group, GroupKey, PlacedCloud, place};
 pub(crate) use place::{dress, heading_turn, place_watched, stand_alike};
 pub(crate) use shapes::Known;
 pub use shapes::Shapes;
+pub use sprite::{Cover, Sprite, Sprites};
 pub use stir::Stir;
 
 use crate::scene::CloudModel;

@@ -3,49 +3,14 @@
 //! Positions are kept in f32 relative to the cloud's own f64 position: a cloud 1,000 km from the origin is as sharp as
 //! one at the origin.
 
-use super::stir::Stirs;
-use super::{Candidate, PopulatedModel};
-use crate::scene::{
-    BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight,
-};
+use super::stir::{Stir, Stirs, Within};
+use super::{Candidate, PopulatedModel, Sprite, Sprites};
+use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::fmt;
 use std::sync::Arc;
-
-/// A sprite that is drawn.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sprite {
-    /// Centre, metres, relative to the cloud's `origin`, along the world's axes.
-    pub position: Vec3,
-    /// Metres.
-    pub width: f32,
-    /// Metres.
-    pub height: f32,
-    /// Radians, counter-clockwise as seen.
-    pub rotation: f32,
-    /// 0 to 15, row by row.
-    pub tile: u8,
-    /// Index into the cloud's groups.
-    pub group: u32,
-    /// Its box.
-    pub box_id: BoxId,
-    /// Its number within the box.
-    pub index: u32,
-}
-
-impl Sprite {
-    /// Half the longer side, metres (MODEL §2).
-    pub fn radius(&self) -> f32 {
-        self.width.max(self.height) * 0.5
-    }
-
-    /// Half the diagonal, metres: the sphere that holds the quad however it is turned.
-    pub fn reach(&self) -> f32 {
-        0.5 * (self.width * self.width + self.height * self.height).sqrt()
-    }
-}
 
 /// What makes sprites a group.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -92,7 +57,7 @@ pub struct PlacedCloud {
     /// What was tried, before culling.
     pub candidate_count: usize,
     /// In the order of boxes and indices.
-    pub sprites: Arc<[Sprite]>,
+    pub sprites: Sprites,
     /// In the order of their first sprite.
     pub groups: Arc<[Group]>,
     /// Centre of the bounding box of the sprites' centres, relative to `origin`, metres.
@@ -111,8 +76,8 @@ pub struct PlacedCloud {
     pub color_levels: ColorLevels,
     /// What was placed.
     pub cloud: Arc<Cloud>,
-    /// Its model.
-    pub model: Arc<CloudModel>,
+    /// The seed under which its sprites were strewn.
+    pub seed: u64,
     /// What the air makes of its sprites, made when first asked for.
     pub(crate) stirs: Stirs,
 }
@@ -121,6 +86,28 @@ impl PlacedCloud {
     /// How far a point is from the centre, in radii; 0 in a cloud without extent.
     pub fn radii_of(&self, point: Vec3) -> f32 {
         if self.radius > 0.0 { point.distance(self.center) / self.radius } else { 0.0 }
+    }
+
+    /// What the air makes of each sprite, in their order.
+    pub fn stirs(&self) -> &[Stir] {
+        self.stirs.get_or_make(|| {
+            let (low, high) = bounds(self.sprites.iter().map(|sprite| sprite.position));
+            let half = ((high - low) * 0.5).max(Vec3::splat(1e-3));
+            let of = |sprite: &Sprite| {
+                let off = sprite.position - self.center;
+                let within = Within {
+                    box_id: sprite.box_id,
+                    index: sprite.index,
+                    tile: sprite.tile,
+                    squareness: sprite.width.min(sprite.height) / sprite.width.max(sprite.height),
+                    radii: self.radii_of(sprite.position),
+                    from_base: Vec3::new(off.x / half.x, 0.5 + 0.5 * off.y / half.y, off.z / half.z),
+                    from_center: off / self.radius.max(1e-3),
+                };
+                Stir::of(within, self.seed)
+            };
+            self.sprites.iter().map(of).collect()
+        })
     }
 
     /// Height of a point within the cloud, 0 at its bottom, 1 at its top, clamped; 0 in a cloud without height.
@@ -136,7 +123,7 @@ impl PlacedCloud {
 /// hand-moved ones stay where they are.
 pub fn place(
     cloud: &Arc<Cloud>,
-    model: &Arc<CloudModel>,
+    model: &CloudModel,
     populated: &PopulatedModel,
     ground_altitude_m: Option<f64>,
 ) -> PlacedCloud {
@@ -146,7 +133,7 @@ pub fn place(
 /// The same under a watch; some sprites are missing if that is cancelled.
 pub(crate) fn place_watched(
     cloud: &Arc<Cloud>,
-    model: &Arc<CloudModel>,
+    model: &CloudModel,
     populated: &PopulatedModel,
     ground_altitude_m: Option<f64>,
     watch: &Watch,
@@ -157,7 +144,7 @@ pub(crate) fn place_watched(
     let named_groups: FxHashSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
     let mut group_of_key: FxHashMap<GroupKey, u32> = FxHashMap::default();
     let mut keys: Vec<GroupKey> = Vec::new();
-    let sprites: Arc<[Sprite]> = watch
+    let sprites: Sprites = watch
         .along(super::PLACING, &populated.sprites)
         .map(|candidate| {
             let key = key_of(candidate, &named_groups);
@@ -202,7 +189,7 @@ pub(crate) fn place_watched(
         sprites,
         color_levels: model.color_levels,
         cloud: Arc::clone(cloud),
-        model: Arc::clone(model),
+        seed: cloud.seed.unwrap_or(model.seed),
         stirs: Stirs::default(),
     }
 }
@@ -213,7 +200,7 @@ pub(crate) fn place_watched(
 pub(crate) fn dress(
     placed: &PlacedCloud,
     cloud: &Arc<Cloud>,
-    (model, populated): (&Arc<CloudModel>, &PopulatedModel),
+    (model, populated): (&CloudModel, &PopulatedModel),
     [keeps_place, keeps_light]: [bool; 2],
 ) -> PlacedCloud {
     let space = || Space::of(cloud, populated);
@@ -229,7 +216,6 @@ pub(crate) fn dress(
         name: cloud.name.clone(),
         color_levels: model.color_levels,
         cloud: Arc::clone(cloud),
-        model: Arc::clone(model),
         ..placed.clone()
     }
 }

@@ -3,7 +3,7 @@
 //! Colours, light and names are left out, so that a renamed or recoloured cloud is the same to whoever flies past it.
 //! Sprites are told apart by where they are kept, and kept for as long as anyone remembers them.
 
-use super::{PlacedCloud, Sprite};
+use super::{PlacedCloud, Sprites};
 use crate::scene::CloudId;
 use glam::DVec3;
 use rustc_hash::FxHashMap;
@@ -17,7 +17,7 @@ pub struct Shapes(Arc<[Shape]>);
 struct Shape {
     id: CloudId,
     origin: DVec3,
-    sprites: Arc<[Sprite]>,
+    sprites: Sprites,
 }
 
 impl PartialEq for Shapes {
@@ -39,8 +39,7 @@ pub(crate) enum Known {
 
 impl Shapes {
     pub(crate) fn of(clouds: &[PlacedCloud]) -> Self {
-        let shape =
-            |cloud: &PlacedCloud| Shape { id: cloud.id, origin: cloud.origin, sprites: Arc::clone(&cloud.sprites) };
+        let shape = |cloud: &PlacedCloud| Shape { id: cloud.id, origin: cloud.origin, sprites: cloud.sprites.clone() };
         Self(clouds.iter().map(shape).collect())
     }
 
@@ -48,7 +47,7 @@ impl Shapes {
     pub(crate) fn or_of(&self, clouds: &[PlacedCloud]) -> Self {
         let are_same = self.0.len() == clouds.len()
             && self.0.iter().zip(clouds).all(|(shape, cloud)| {
-                shape.id == cloud.id && shape.origin == cloud.origin && Arc::ptr_eq(&shape.sprites, &cloud.sprites)
+                shape.id == cloud.id && shape.origin == cloud.origin && shape.sprites.are(&cloud.sprites)
             });
         if are_same { self.clone() } else { Self::of(clouds) }
     }
@@ -63,7 +62,7 @@ impl Shapes {
             (0..).zip(&*before.0).map(|(index, shape)| (shape.id, (index, shape))).collect();
         let index = |shape: &Shape| {
             let (index, old) = old.get(&shape.id)?;
-            Arc::ptr_eq(&old.sprites, &shape.sprites).then_some(*index)
+            old.sprites.are(&shape.sprites).then_some(*index)
         };
         Known::Some(self.0.iter().map(index).collect())
     }

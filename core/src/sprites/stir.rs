@@ -3,9 +3,9 @@
 //! Made of the sprite's place in its cloud and of random numbers of its own, once and when first asked for: a scene without
 //! weather has none of it. What the GPU is given are these very values (MODEL §9).
 
-use super::{PlacedCloud, Sprite};
 use crate::math::smoothstep;
 use crate::random::{draw, unit};
+use crate::scene::BoxId;
 use glam::Vec3;
 use std::sync::{Arc, OnceLock};
 
@@ -39,39 +39,59 @@ impl PartialEq for Stirs {
 const BLOCK: u32 = 16;
 /// The same for the noise's lattice.
 const LATTICE: u32 = 17;
-/// Of the noise by which a cloud parts, in its radii.
-const WAVELENGTH: f32 = 0.5;
+/// Of the two noises by which a cloud parts, in its radii, and the share of the second.
+const WAVELENGTHS: [f32; 2] = [0.5, 0.21];
+const FINER: f32 = 0.4;
+/// How much a threshold goes by a sprite's place, and how much by the noise.
+const BY_PLACE: f32 = 0.4;
 const FLAT_BASE: u8 = 3;
 /// What even a sprite in the core sways.
 const LEAST_SWAY: f32 = 0.25;
 
-impl PlacedCloud {
-    /// Of each sprite, in their order.
-    pub fn stirs(&self) -> &[Stir] {
-        self.stirs.0.get_or_init(|| {
-            let seed = self.cloud.seed.unwrap_or(self.model.seed);
-            self.sprites.iter().map(|sprite| Stir::of(sprite, self, seed)).collect()
-        })
+/// Where a sprite is in its cloud, and which it is.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Within {
+    pub(super) box_id: BoxId,
+    pub(super) index: u32,
+    pub(super) tile: u8,
+    /// Its shorter side over its longer one.
+    pub(super) squareness: f32,
+    /// How far from the cloud's centre, in its radii.
+    pub(super) radii: f32,
+    /// How far from the middle of its base: across in half the extent of the centres, up in all of it.
+    pub(super) from_base: Vec3,
+    /// From the cloud's centre, in its radii.
+    pub(super) from_center: Vec3,
+}
+
+impl Stirs {
+    pub(super) fn get_or_make(&self, make: impl FnOnce() -> Box<[Stir]>) -> &[Stir] {
+        self.0.get_or_init(make)
     }
 }
 
 impl Stir {
-    fn of(sprite: &Sprite, cloud: &PlacedCloud, seed: u64) -> Self {
-        let [turn, phases, ..] = draw(seed, sprite.box_id.0, sprite.index, BLOCK);
-        let (radii, is_flat) = (cloud.radii_of(sprite.position), sprite.tile == FLAT_BASE);
-        let looseness = match sprite.tile {
+    /// Of a sprite of a cloud of that seed.
+    pub(super) fn of(sprite: Within, seed: u64) -> Self {
+        let Within { box_id, index, tile, squareness, radii, from_base, from_center } = sprite;
+        let [turn, phases, ..] = draw(seed, box_id.0, index, BLOCK);
+        let is_flat = tile == FLAT_BASE;
+        let looseness = match tile {
             FLAT_BASE => 0.0,
             wisp if wisp < FLAT_BASE => 1.0,
             _ => smoothstep(0.5, 1.0, radii),
         };
-        let noise = noise((sprite.position - cloud.center) / (cloud.radius.max(1e-3) * WAVELENGTH), seed);
+        let noise = broken(from_center, seed);
         let still = |share: f32| if is_flat { 0.0 } else { share };
+        let round_share = smoothstep(0.6, 0.95, squareness);
         // As many bits as the GPU is given.
         let ten_bits = |shift: u32| (phases >> shift & 1023) as f32 / 1024.0;
         Self {
             looseness,
-            threshold: (0.55 * radii + 0.45 * noise).clamp(0.0, 1.0),
-            turn: still(((unit(turn) * 2.0 - 1.0) * 32_767.0).round() as f32 / 32_767.0),
+            // By the plain distance from the centre, what is left of a heap would be a ball: heads go before the base.
+            threshold: (BY_PLACE * from_base.length().min(1.0) + (1.0 - BY_PLACE) * noise).clamp(0.0, 1.0),
+            // What lies flat would stand on end.
+            turn: still((round_share * (unit(turn) as f32 * 2.0 - 1.0) * 32_767.0).round() / 32_767.0),
             sway: still(((LEAST_SWAY + (1.0 - LEAST_SWAY) * looseness) * 32_767.0).round() / 32_767.0),
             phases: [ten_bits(0), ten_bits(10), ten_bits(20)],
         }
@@ -88,6 +108,14 @@ impl Stir {
             a | b << 10 | c << 20,
         ]
     }
+}
+
+/// 0 to 1: pieces, and rags of pieces.
+fn broken(from_center: Vec3, seed: u64) -> f32 {
+    let [coarse, fine] = WAVELENGTHS.map(|wavelength| noise(from_center / wavelength, seed));
+    let mean = coarse + FINER * (fine - coarse);
+    // A mean is seldom far from a half: spread again, so that as much of a cloud goes at each humidity.
+    smoothstep(0.2, 0.8, mean)
 }
 
 /// 0 to 1, smooth, with one random value for each whole place.

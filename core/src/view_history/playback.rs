@@ -38,7 +38,16 @@ impl Playback {
     /// At the start of `path`, by `rules`.
     pub fn new(path: &CameraPath, rules: Rules) -> Self {
         let history = Arc::default();
-        Self { curve: PathCurve::new(path), rules, shapes: None, timeline: None, history, steps: 0, taken: 0, kept: Vec::new() }
+        Self {
+            curve: PathCurve::new(path),
+            rules,
+            shapes: None,
+            timeline: None,
+            history,
+            steps: 0,
+            taken: 0,
+            kept: Vec::new(),
+        }
     }
 
     /// How many steps were gone since this was made, those that were gone again included.

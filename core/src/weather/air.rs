@@ -10,7 +10,7 @@ pub const CONDENSING: f32 = 0.08;
 /// The periods of the three swings of what sways, seconds: in no ratio of whole numbers.
 const SWINGS_S: [f64; 3] = [7.3, 11.9, 19.1];
 /// How far the largest sway goes, in a sprite's smaller side: in all three directions at once.
-const SWAY: f32 = 0.1;
+pub const SWAY: f32 = 0.1;
 
 /// The air at one moment.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,8 +41,8 @@ impl AirNow {
         let blown_km = wind.map_or(0.0, |wind| wind.blown_m(clock_s)) / 1000.0;
         let (turned, humidity) = (blown_km * now.turn_deg_per_km / 360.0, now.humidity as f32);
         Some(Self {
-            lean: across(lean.middle),
-            lean_shear: across(lean.shear),
+            lean: across(lean.middle) * now.lean as f32,
+            lean_shear: across(lean.shear) * now.lean as f32,
             // The loosest goes by whole turns, others by their shares of it: none may be left out.
             turned: turned as f32,
             turbulence: now.turbulence as f32,

@@ -109,7 +109,8 @@ impl<'a> CloudNow<'a> {
             let stir = &stirs[index];
             let height = self.placed.height_of(rest.position.y);
             now.position += air.carries(stir, height, *reach_m, now.width.min(now.height));
-            now.rotation += std::f32::consts::TAU * (stir.turn * air.turned);
+            let turns = stir.turn * air.turned;
+            now.rotation += std::f32::consts::TAU * (turns - turns.floor());
         }
         now
     }
@@ -149,9 +150,10 @@ impl<'a> CloudNow<'a> {
 
     /// How far from [`Self::center_now`] no sprite's centre lies, metres.
     pub fn radius_now(&self) -> f32 {
-        let air_m = self.air.as_ref().map_or(0.0, |InAir { air, reach_m, .. }| {
-            air.most_m(*reach_m, 2.0 * self.placed.largest * self.scale)
-        });
+        let air_m = self
+            .air
+            .as_ref()
+            .map_or(0.0, |InAir { air, reach_m, .. }| air.most_m(*reach_m, 2.0 * self.placed.largest * self.scale));
         self.placed.radius * self.stretch() + air_m
     }
 
@@ -182,7 +184,9 @@ impl<'a> CloudNow<'a> {
 
     /// Whether there is anything of it.
     pub fn shows(&self) -> bool {
-        self.formed.shows() && self.opacity > 0.0 && self.air.as_ref().is_none_or(|in_air| in_air.air.humidity > -super::CONDENSING)
+        self.formed.shows()
+            && self.opacity > 0.0
+            && self.air.as_ref().is_none_or(|in_air| in_air.air.humidity > -super::CONDENSING)
     }
 
     /// Where a point of the cloud at rest is now, but for what the air does.

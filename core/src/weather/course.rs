@@ -3,7 +3,7 @@
 use super::cloud_now::{InAir, REACH};
 use super::{AirNow, CloudNow, Formed, FormingRule, Look, Timeline, WeatherRules};
 use crate::math::smoothstep;
-use crate::scene::{Cloud, CloudModel, Region, Weather};
+use crate::scene::{Cloud, CloudModel, ModelId, Region, Weather};
 use crate::sprites::{Group, GroupKey, PlacedCloud, heading_turn};
 use glam::{DVec2, DVec3};
 use rayon::prelude::*;
@@ -88,7 +88,8 @@ impl<'a> Course<'_> {
         {
             cloud.formed = cloud.formed.and(wrap(region, &mut cloud));
         }
-        cloud.air = self.air.map(|air| InAir { air, stirs: placed.stirs(), reach_m: REACH * placed.radius * cloud.scale });
+        cloud.air =
+            self.air.map(|air| InAir { air, stirs: placed.stirs(), reach_m: REACH * placed.radius * cloud.scale });
         cloud
     }
 
@@ -101,8 +102,7 @@ impl<'a> Course<'_> {
         cloud.displacement = now.position + turn * (arm * scale) - placed.origin;
         // About +y by twice the half-angle that the quaternion holds.
         let (half_sin, half_cos) = (turn.y, turn.w);
-        cloud.turn =
-            [(2.0 * half_sin * half_cos) as f32, (half_cos * half_cos - half_sin * half_sin) as f32];
+        cloud.turn = [(2.0 * half_sin * half_cos) as f32, (half_cos * half_cos - half_sin * half_sin) as f32];
         cloud.scale = scale as f32;
     }
 
@@ -124,10 +124,10 @@ impl<'a> Course<'_> {
         if !self.timeline.moves_looks() {
             return;
         }
-        let mut models: FxHashMap<*const CloudModel, Option<CloudModel>> = FxHashMap::default();
+        let mut models: FxHashMap<ModelId, Option<CloudModel>> = FxHashMap::default();
         for cloud in clouds {
-            let rest = &cloud.placed.model;
-            let now = models.entry(Arc::as_ptr(rest)).or_insert_with(|| self.timeline.model_at(rest, self.clock_s));
+            let id = cloud.placed.cloud.model;
+            let now = models.entry(id).or_insert_with(|| self.timeline.model_at(id, self.clock_s));
             cloud.look = now.as_ref().map(|now| Arc::new(look(cloud.placed, now)));
         }
     }

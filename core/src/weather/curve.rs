@@ -5,7 +5,11 @@
 //! Piecewise Cubic Interpolation*, 1980; the harmonic mean of Fritsch and Butland, 1984): it rises where its keys do, is
 //! flat where neighbours are equal, and never overshoots. A track that repeats goes on through its seam without a kink.
 
-use crate::scene::{Beyond, Handles, KeyValue, Leaves, Track, TrackKey};
+mod stretch;
+
+use crate::property::Target;
+use crate::scene::{Beyond, Track, TrackKey};
+use stretch::{Stretch, stretches};
 
 /// A track's values over time.
 #[derive(Debug, Clone, PartialEq)]
@@ -19,27 +23,30 @@ pub struct Curve {
     after: Beyond,
 }
 
-/// One number between two keys.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Stretch {
-    /// Of the powers of the share that is over.
-    powers: [f64; 4],
-    /// What it stays within; beyond all bounds where handles shape it.
-    within: [f64; 2],
-}
-
 impl Curve {
     /// Of `track`, whose keys are sound; `turns`: its values are angles in degrees.
     pub fn new(track: &Track, turns: bool) -> Self {
+        Self::cyclic(track, turns, turns.then_some(360.0))
+    }
+
+    /// Of `track`, whose keys are sound and fit `target`.
+    pub fn of(track: &Track, target: &Target) -> Self {
+        Self::cyclic(track, target.turns(), target.property.cycle)
+    }
+
+    /// Values that lie a whole number of cycles apart are the same, and meet at the seam of what repeats.
+    fn cyclic(track: &Track, turns: bool, cycle: Option<f64>) -> Self {
         let keys = &track.keys;
         let count = keys.iter().map(|key| key.value.parts().len()).min().unwrap_or(0);
         let times: Vec<f64> = keys.iter().map(|key| key.time_s).collect();
-        let loops = [track.before, track.after].contains(&Beyond::Repeat);
+        let repeats = [track.before, track.after].contains(&Beyond::Repeat);
         let values_of = |part: usize| -> Vec<f64> {
             if turns { unwound(keys, part) } else { keys.iter().map(|key| key.value.parts()[part]).collect() }
         };
         let values: Vec<Vec<f64>> = (0..count).map(values_of).collect();
-        let parts = values.iter().enumerate().map(|(part, values)| stretches(keys, values, part, loops, turns)).collect();
+        let stretches_of =
+            |(part, values): (usize, &Vec<f64>)| stretches(keys, values, part, repeats && meets(values, cycle));
+        let parts = values.iter().enumerate().map(stretches_of).collect();
         let last = values.iter().map(|values| values.last().copied().unwrap_or(0.0)).collect();
         Self { times, parts, last, before: track.before, after: track.after }
     }
@@ -52,7 +59,8 @@ impl Curve {
 
     /// Whether it is 0 at all times.
     pub fn is_zero(&self) -> bool {
-        self.parts.iter().flatten().all(|stretch| stretch.powers == [0.0; 4]) && self.last.iter().all(|last| *last == 0.0)
+        self.parts.iter().flatten().all(|stretch| stretch.powers == [0.0; 4])
+            && self.last.iter().all(|last| *last == 0.0)
     }
 
     /// A part of the value at `time_s`; any number is a time, and NaN is as the first key.
@@ -123,118 +131,64 @@ impl Curve {
         }
     }
 
-    /// The times between `from_s` and `to_s`, seconds, at which a key is met, again and again where it comes round; not in
-    /// order. No more than some ten thousand: what is quicker than that is a blur.
-    pub fn breaks_s(&self, [from_s, to_s]: [f64; 2]) -> Vec<f64> {
-        const MOST: usize = 10_000;
+    /// How often its keys are listed again, before its first key and after its last: some 3,000 keys in all, but one round
+    /// at least.
+    pub(super) fn most_rounds(&self) -> f64 {
+        (3_000 / self.times.len().max(1)).max(1) as f64
+    }
+
+    /// Between which times it is a blur among `from_s` to `to_s`: it comes round so often there that listing its keys each
+    /// time would have no end. The times at which it meets a key otherwise go to `breaks`, in no order.
+    pub(super) fn breaks_s(&self, [from_s, to_s]: [f64; 2], breaks: &mut Vec<f64>) -> Vec<[f64; 2]> {
         let [first, last] = self.ends_s();
         let span = last - first;
-        let mut breaks = Vec::new();
-        // Rounds are counted from the first key on, before it too.
-        let mut round = |start: f64, beyond: Beyond, is_odd: bool| {
-            let backwards = beyond == Beyond::Swing && is_odd;
+        let mut add_round = |round: f64, beyond: Beyond| {
+            let start = first + round * span;
+            let backwards = beyond == Beyond::Swing && round.rem_euclid(2.0) == 1.0;
             let there = |time: &f64| if backwards { start + (last - time) } else { start + (time - first) };
             breaks.extend(self.times.iter().map(there).filter(|time| *time > from_s && *time < to_s));
-            breaks.len() < MOST
         };
-        round(first, Beyond::Hold, false);
-        if span > 0.0 && self.after != Beyond::Hold {
-            let mut rounds = 1.0_f64;
-            while first + rounds * span < to_s && round(first + rounds * span, self.after, rounds % 2.0 == 1.0) {
-                rounds += 1.0;
+        add_round(0.0, Beyond::Hold);
+        let mut blurs = Vec::new();
+        for (beyond, from_s, to_s) in [(self.before, from_s, to_s.min(first)), (self.after, from_s.max(last), to_s)] {
+            if beyond == Beyond::Hold || !(span > 0.0 && from_s < to_s) {
+                continue;
+            }
+            let [begin, end] = [libm::floor((from_s - first) / span), libm::ceil((to_s - first) / span)];
+            let listed = (end - begin).min(self.most_rounds());
+            (0..listed as u32).for_each(|round| add_round(begin + f64::from(round), beyond));
+            let blurs_from_s = (first + (begin + listed) * span).max(from_s);
+            if blurs_from_s < to_s {
+                blurs.push([blurs_from_s, to_s]);
             }
         }
-        if span > 0.0 && self.before != Beyond::Hold && from_s < first {
-            let mut rounds = 1.0_f64;
-            while first - (rounds - 1.0) * span > from_s
-                && round(first - rounds * span, self.before, rounds % 2.0 == 1.0)
-            {
-                rounds += 1.0;
-            }
-        }
-        breaks
+        blurs
     }
 }
 
-impl Stretch {
-    fn at(&self, share: f64) -> f64 {
-        let [a, b, c, d] = self.powers;
-        let value = a + share * (b + share * (c + share * d));
-        // What is rounded may overshoot in its last digit.
-        value.max(self.within[0]).min(self.within[1])
-    }
-}
-
-/// The values of a part of keys that are angles, degrees, so that each follows from the one before by its turn.
+/// The values of a part of keys that are angles, degrees, so that each follows from the one before by its turn. Each is
+/// its key's own but for whole turns, so that none is rounded on the way.
 fn unwound(keys: &[TrackKey], part: usize) -> Vec<f64> {
+    let mut turns = 0.0;
     let mut values: Vec<f64> = Vec::with_capacity(keys.len());
     for (i, key) in keys.iter().enumerate() {
         let value = key.value.parts()[part];
-        let Some((before, sum)) = i.checked_sub(1).map(|i| (&keys[i], values[i])) else {
-            values.push(value);
-            continue;
-        };
-        let difference = value - before.value.parts()[part];
-        let turn = match before.turns {
-            Some(turns) => difference + 360.0 * f64::from(turns),
-            // Half a turn goes clockwise.
-            None => 180.0 - (180.0 - difference).rem_euclid(360.0),
-        };
-        values.push(sum + turn);
+        if let Some(before) = i.checked_sub(1).map(|i| &keys[i]) {
+            turns += match before.turns {
+                Some(turns) => f64::from(turns),
+                // To within half a turn; just half a one goes clockwise.
+                None => libm::floor((180.0 - (value - before.value.parts()[part])) / 360.0),
+            };
+        }
+        values.push(value + 360.0 * turns);
     }
     values
 }
 
-fn stretches(keys: &[TrackKey], values: &[f64], part: usize, loops: bool, turns: bool) -> Vec<Stretch> {
-    let widths: Vec<f64> = keys.windows(2).map(|pair| pair[1].time_s - pair[0].time_s).collect();
-    let rises: Vec<f64> = values.windows(2).zip(&widths).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();
-    let slopes = smooth_slopes(&widths, &rises, loops && meets(values, turns));
-    let handle = |key: usize, of: fn(&Handles) -> &KeyValue| {
-        keys[key].handles.as_ref().and_then(|handles| of(handles).parts().get(part)).copied()
-    };
-    let stretch = |i: usize| {
-        let [from, to] = [values[i], values[i + 1]];
-        let plain = [from.min(to), from.max(to)];
-        match keys[i].leaves {
-            Leaves::Step => Stretch { powers: [from, 0.0, 0.0, 0.0], within: [from, from] },
-            Leaves::Linear => Stretch { powers: [from, to - from, 0.0, 0.0], within: plain },
-            Leaves::Smooth => {
-                let by_hand = [handle(i, |handles| &handles.leaves), handle(i + 1, |handles| &handles.arrives)];
-                let [leaves, arrives] = [by_hand[0].unwrap_or(slopes[i]), by_hand[1].unwrap_or(slopes[i + 1])];
-                let [leaves, arrives, rise] = [leaves * widths[i], arrives * widths[i], to - from];
-                let powers = [from, leaves, 3.0 * rise - 2.0 * leaves - arrives, leaves + arrives - 2.0 * rise];
-                let is_free = by_hand.iter().any(Option::is_some);
-                Stretch { powers, within: if is_free { [f64::NEG_INFINITY, f64::INFINITY] } else { plain } }
-            }
-        }
-    };
-    (0..widths.len()).map(stretch).collect()
-}
-
 /// Whether the last value is the first one again.
-fn meets(values: &[f64], turns: bool) -> bool {
+fn meets(values: &[f64], cycle: Option<f64>) -> bool {
     let (Some(first), Some(last)) = (values.first(), values.last()) else { return false };
-    let apart = (last - first).abs();
-    let apart = if turns { apart.rem_euclid(360.0).min(360.0 - apart.rem_euclid(360.0)) } else { apart };
-    apart <= 1e-9 * (1.0 + first.abs())
-}
-
-/// Slopes at the keys. At the ends of what loops, that of its other end is a neighbour.
-fn smooth_slopes(widths: &[f64], rises: &[f64], loops: bool) -> Vec<f64> {
-    let Some(last) = rises.len().checked_sub(1) else { return vec![0.0] };
-    let mut slopes = Vec::with_capacity(last + 2);
-    let seam = if loops { between([widths[last], widths[0]], [rises[last], rises[0]]) } else { 0.0 };
-    slopes.push(seam);
-    slopes.extend((0..last).map(|i| between([widths[i], widths[i + 1]], [rises[i], rises[i + 1]])));
-    slopes.push(seam);
-    slopes
-}
-
-/// The slope between two stretches: a harmonic mean of theirs, flat at peaks and where either is flat.
-fn between([before_s, after_s]: [f64; 2], [before, after]: [f64; 2]) -> f64 {
-    if before * after <= 0.0 {
-        return 0.0;
-    }
-    let [near, far] = [before_s + 2.0 * after_s, 2.0 * before_s + after_s];
-    (near + far) / (far / before + near / after)
+    let apart = last - first;
+    let apart = cycle.map_or(apart, |cycle| apart - cycle * libm::round(apart / cycle));
+    apart.abs() <= 1e-9 * (1.0 + first.abs())
 }

@@ -15,7 +15,7 @@ const LEAST_LAG_S: f64 = 1e-6;
 pub struct Lagged<const N: usize> {
     /// u.
     pieces: Pieces<N>,
-    /// τ, seconds.
+    /// τ, seconds; 0 for none.
     lag_s: f64,
     /// d where each piece begins, and the last ends. From the loop on: what there would be of it, had it been 0 where
     /// the loop begins.
@@ -26,9 +26,10 @@ pub struct Lagged<const N: usize> {
 
 impl<const N: usize> Lagged<N> {
     pub fn new(pieces: Pieces<N>, lag_s: f64) -> Self {
+        let lag_s = if lag_s > LEAST_LAG_S { lag_s } else { 0.0 };
         let mut starts = vec![pieces.value(pieces.find(0.0))];
         let mut at_loop = [0.0; N];
-        if lag_s > LEAST_LAG_S {
+        if lag_s > 0.0 {
             for (at, piece) in pieces.pieces.iter().enumerate() {
                 if pieces.loops_from == Some(at) {
                     at_loop = std::mem::replace(&mut starts[at], [0.0; N]);
@@ -43,7 +44,7 @@ impl<const N: usize> Lagged<N> {
     /// d at `time_s`; before second 0 it is as at 0.
     pub fn at(&self, time_s: f64) -> [f64; N] {
         let (at, lag_s) = (self.pieces.find(time_s), self.lag_s);
-        if !(lag_s > LEAST_LAG_S) {
+        if lag_s == 0.0 {
             return self.pieces.value(at);
         }
         let start = self.starts[at.piece];

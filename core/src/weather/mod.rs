@@ -9,8 +9,8 @@ mod cloud_now;
 mod course;
 mod curve;
 mod formation;
-mod light;
 mod lag;
+mod light;
 mod moment;
 mod pieces;
 mod scene_now;
@@ -19,7 +19,7 @@ mod sums;
 mod timeline;
 mod wind;
 
-pub use air::{AirNow, CONDENSING, sine};
+pub use air::{AirNow, CONDENSING, SWAY, sine};
 pub use cloud_now::{CloudNow, InAir, Look, REACH, UNTURNED};
 pub use course::clouds_now;
 pub use curve::Curve;

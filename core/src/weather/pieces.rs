@@ -3,14 +3,22 @@
 //! The wind is a product of a speed and of a direction's sine, which has no integral of its own for smooth keys. So
 //! what is to be integrated is written, once and on the edit clock, as polynomials of degree 7 on pieces small enough to
 //! be within a share of 10⁻¹¹ of it; from there on everything is exact. After the last piece it is constant, or goes through
-//! the pieces of its period again.
+//! the pieces of its period again. What swings too quickly to be fitted is a blur: its mean.
 
 /// One more than the polynomials' degree.
 pub(super) const POWERS: usize = 8;
 /// How far a piece may be off, as a share of the largest value.
 const TOLERANCE: f64 = 1e-11;
-/// More than these are never made; what is left then is as near as it comes.
+/// What is off by less, and no less on half of the stretch, is off by the rounding of times and angles: far from second 0
+/// seconds have fewer digits. Where a slope breaks within a stretch, halves that are as far off may be taken for that;
+/// they are short then, for it is off by the product of their width and the slope's step.
+const ROUNDED: f64 = 1e-7;
+/// What is off by more is a blur.
+const BLURRED: f64 = 1e-5;
+/// Beside one for each stretch, no more than these are made.
 const MOST_PIECES: usize = 40_000;
+/// The furthest time, seconds: some 30,000 years.
+const FURTHEST_S: f64 = 1e12;
 
 /// Coefficients of one piece, of the powers of the share that is over.
 pub type Polynomials<const N: usize> = [[f64; POWERS]; N];
@@ -42,41 +50,29 @@ impl<const N: usize> Pieces<N> {
     /// `f` from 0 to the last of `breaks`, which rise from 0 and between which `f` is smooth. If it loops, it does from
     /// `loops_from_s`, one of the breaks, to the last.
     pub fn fit(f: impl Fn(f64) -> [f64; N], breaks: &[f64], loops_from_s: Option<f64>) -> Self {
-        let mut fitted = Self { starts: vec![0.0], pieces: Vec::new(), loops_from: None, beyond: [0.0; N] };
-        let scale = scale(&f, breaks);
+        let stretches = breaks.len().saturating_sub(1);
+        let mut fitting = Fitting { f, nodes: Nodes::new(), scale: 0.0, made: Vec::new(), end: 0 };
+        fitting.scale = fitting.largest(breaks);
+        let (mut starts, mut loops_from) = (vec![0.0], None);
+        // None takes what others may need.
+        let share = (MOST_PIECES / stretches.max(1)).max(256);
         for pair in breaks.windows(2) {
             if loops_from_s == Some(pair[0]) {
-                fitted.loops_from = Some(fitted.pieces.len());
+                loops_from = Some(fitting.made.len());
             }
-            fitted.add(&f, [pair[0], pair[1]], &scale, 0);
+            let most = MOST_PIECES + stretches;
+            fitting.end = most.min(fitting.made.len() + share);
+            fitting.add([pair[0], pair[1]], f64::INFINITY, 0);
         }
-        fitted.beyond = f(breaks.last().copied().unwrap_or(0.0));
-        fitted
+        let beyond = (fitting.f)(breaks.last().copied().unwrap_or(0.0));
+        starts.extend(fitting.made.iter().map(|(to_s, _)| *to_s));
+        let pieces = fitting.made.into_iter().map(|(_, piece)| piece).collect();
+        Self { starts, pieces, loops_from, beyond }
     }
 
-    fn add(&mut self, f: &impl Fn(f64) -> [f64; N], [from_s, to_s]: [f64; 2], scale: &[f64; N], depth: u32) {
-        const DEEPEST: u32 = 20;
-        let piece = interpolated(|share| f(from_s + share * (to_s - from_s)));
-        let is_near = || {
-            (0..=POWERS).all(|i| {
-                let share = (i as f64 + 0.25) / (POWERS as f64 + 0.5);
-                let exact = f(from_s + share * (to_s - from_s));
-                (0..N).all(|n| (value(&piece[n], share) - exact[n]).abs() <= TOLERANCE * scale[n])
-            })
-        };
-        let middle_s = 0.5 * (from_s + to_s);
-        if depth >= DEEPEST || self.pieces.len() >= MOST_PIECES || middle_s <= from_s || middle_s >= to_s || is_near() {
-            self.pieces.push(piece);
-            self.starts.push(to_s);
-        } else {
-            self.add(f, [from_s, middle_s], scale, depth + 1);
-            self.add(f, [middle_s, to_s], scale, depth + 1);
-        }
-    }
-
-    /// Where `time_s` lies; what is before 0 is at 0.
+    /// Where `time_s` lies; what is before 0, or no number, is at 0, and what is beyond all time is at its end.
     pub fn find(&self, time_s: f64) -> At {
-        let mut time_s = if time_s > 0.0 { time_s } else { 0.0 };
+        let mut time_s = if time_s > 0.0 { time_s.min(FURTHEST_S) } else { 0.0 };
         let (end_s, mut rounds) = (self.end_s(), 0.0);
         if time_s >= end_s
             && let Some(from) = self.loops_from
@@ -113,26 +109,83 @@ fn value(powers: &[f64; POWERS], share: f64) -> f64 {
     powers.iter().rev().fold(0.0, |sum, power| sum * share + power)
 }
 
-/// The largest values to be met, by a look at each stretch.
-fn scale<const N: usize>(f: &impl Fn(f64) -> [f64; N], breaks: &[f64]) -> [f64; N] {
-    let mut largest = [1e-30_f64; N];
-    for pair in breaks.windows(2) {
-        for i in 0..8 {
-            let values = f(pair[0] + (pair[1] - pair[0]) * (f64::from(i) + 0.5) / 8.0);
-            largest = std::array::from_fn(|n| largest[n].max(values[n].abs()));
-        }
-    }
-    largest
+/// Pieces in the making.
+struct Fitting<F, const N: usize> {
+    f: F,
+    nodes: Nodes,
+    /// The largest value to be met.
+    scale: f64,
+    /// Where each ends, and what it is.
+    made: Vec<(f64, Polynomials<N>)>,
+    /// Once there are so many, none is halved.
+    end: usize,
 }
 
-/// The polynomial through `f` at Chebyshev's nodes on [0, 1], by Newton's divided differences.
-fn interpolated<const N: usize>(f: impl Fn(f64) -> [f64; N]) -> Polynomials<N> {
-    let nodes: [f64; POWERS] = std::array::from_fn(|i| {
-        0.5 - 0.5 * libm::cos(std::f64::consts::PI * (i as f64 + 0.5) / POWERS as f64)
-    });
-    let values = nodes.map(f);
-    std::array::from_fn(|n| {
-        let mut differences = values.map(|value| value[n]);
+impl<F: Fn(f64) -> [f64; N], const N: usize> Fitting<F, N> {
+    /// By a look at each stretch.
+    fn largest(&self, breaks: &[f64]) -> f64 {
+        let mut largest = 1e-30_f64;
+        for pair in breaks.windows(2) {
+            for i in 0..8 {
+                let values = (self.f)(pair[0] + (pair[1] - pair[0]) * (f64::from(i) + 0.5) / 8.0);
+                largest = values.iter().fold(largest, |largest, value| largest.max(value.abs()));
+            }
+        }
+        largest
+    }
+
+    /// `whole_off`: how far the stretch was off of which this is half.
+    fn add(&mut self, [from_s, to_s]: [f64; 2], whole_off: f64, depth: u32) {
+        const DEEPEST: u32 = 20;
+        let at = |share: f64| (self.f)(from_s + share * (to_s - from_s));
+        let values = self.nodes.at.map(at);
+        let mut piece: Polynomials<N> = std::array::from_fn(|n| self.nodes.through(values.map(|values| values[n])));
+        let mut off = 0.0_f64;
+        for i in 0..=POWERS {
+            let share = (i as f64 + 0.25) / (POWERS as f64 + 0.5);
+            let exact = at(share);
+            off = (0..N).fold(off, |off, n| off.max((value(&piece[n], share) - exact[n]).abs() / self.scale));
+        }
+        let is_rounding = off <= ROUNDED && off > 0.6 * whole_off;
+        let middle_s = 0.5 * (from_s + to_s);
+        let may_be_halved = depth < DEEPEST && self.made.len() < self.end && middle_s > from_s && middle_s < to_s;
+        if off > TOLERANCE && !is_rounding && may_be_halved {
+            self.add([from_s, middle_s], off, depth + 1);
+            self.add([middle_s, to_s], off, depth + 1);
+            return;
+        }
+        if off > BLURRED {
+            // A polynomial through what it does not follow overshoots; a mean stays among the values.
+            piece = std::array::from_fn(|n| {
+                let mut constant = [0.0; POWERS];
+                constant[0] = values.iter().zip(self.nodes.weights).map(|(values, weight)| values[n] * weight).sum();
+                constant
+            });
+        }
+        self.made.push((to_s, piece));
+    }
+}
+
+/// Chebyshev's nodes on [0, 1].
+struct Nodes {
+    at: [f64; POWERS],
+    /// Fejér's weights of a mean: all above 0, and together 1.
+    weights: [f64; POWERS],
+}
+
+impl Nodes {
+    fn new() -> Self {
+        let angle = |i: usize| std::f64::consts::PI * (i as f64 + 0.5) / POWERS as f64;
+        let weight = |i: usize| {
+            let term = |j: usize| libm::cos(2.0 * j as f64 * angle(i)) / (4 * j * j - 1) as f64;
+            (1.0 - 2.0 * (1..=POWERS / 2).map(term).sum::<f64>()) / POWERS as f64
+        };
+        Self { at: std::array::from_fn(|i| 0.5 - 0.5 * libm::cos(angle(i))), weights: std::array::from_fn(weight) }
+    }
+
+    /// The polynomial through `values` there, by Newton's divided differences.
+    fn through(&self, values: [f64; POWERS]) -> [f64; POWERS] {
+        let (nodes, mut differences) = (&self.at, values);
         for order in 1..POWERS {
             for i in (order..POWERS).rev() {
                 differences[i] = (differences[i] - differences[i - 1]) / (nodes[i] - nodes[i - order]);
@@ -147,5 +200,5 @@ fn interpolated<const N: usize>(f: impl Fn(f64) -> [f64; N]) -> Polynomials<N> {
             powers[0] = differences[i] - nodes[i] * powers[0];
         }
         powers
-    })
+    }
 }

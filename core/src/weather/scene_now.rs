@@ -1,6 +1,6 @@
 //! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
 
-use super::{CloudNow, Light, Moment, Timeline, WeatherRules, clouds_now};
+use super::{AirNow, CloudNow, Light, Moment, Timeline, WeatherRules, clouds_now};
 use crate::scene::{Aircraft, Ground, List, Scene};
 use crate::sprites::PlacedCloud;
 
@@ -28,6 +28,11 @@ pub struct SceneNow<'a> {
 }
 
 impl<'a> SceneNow<'a> {
+    /// The air that moves sprites one by one, if any does: the same for all clouds.
+    pub fn air(&self) -> Option<&AirNow> {
+        self.clouds.iter().find_map(|cloud| Some(&cloud.air.as_ref()?.air))
+    }
+
     /// `scene`, whose placed `clouds` and `timeline` are, at `moment`, where clouds form and stream by those rules. It
     /// follows from these alone.
     pub fn new(

@@ -47,7 +47,8 @@ impl StreamingRule {
         let (Self::Stepped(stepped), Some(wind), Some(air)) = (self, wind, air) else { return air };
         let Lean { middle, shear } = (stepped.lean)(wind, clock_s, stepped.frame_s, now.lag_s);
         let across = |lean: DVec2| glam::Vec3::new(lean.x as f32, 0.0, lean.y as f32);
-        Some(AirNow { lean: across(middle), lean_shear: across(shear), ..air })
+        let share = now.lean as f32;
+        Some(AirNow { lean: across(middle) * share, lean_shear: across(shear) * share, ..air })
     }
 
     /// What it is, for charts.

@@ -7,7 +7,9 @@
 use super::sums::Sums;
 use super::{Curve, Wind, WindTracks};
 use crate::property::{Change, Described, Owner, Target, change};
-use crate::scene::{Camera, Cloud, CloudId, CloudModel, ColorLevels, ModelId, Scene, Thing, Track, Weather};
+use crate::scene::{
+    Camera, Cloud, CloudId, CloudModel, ColorLevels, List, ModelId, Scene, Thing, Track, TrackKey, Weather,
+};
 use glam::DVec2;
 use rustc_hash::FxHashMap;
 use std::borrow::Cow;
@@ -21,8 +23,8 @@ pub struct Timeline {
     moves: Vec<Move>,
     /// Which of them are each cloud's.
     of_clouds: FxHashMap<CloudId, Range<usize>>,
-    /// Which are of the looks of each model.
-    of_looks: FxHashMap<ModelId, Vec<usize>>,
+    /// Models whose looks have tracks, and which those are.
+    of_looks: FxHashMap<ModelId, (Arc<CloudModel>, Vec<usize>)>,
     /// Which are of the scene's own values, and of what else shows without a cloud.
     of_others: Vec<usize>,
     /// The air as the scene has it.
@@ -40,12 +42,12 @@ struct Move {
 }
 
 impl Timeline {
-    /// Of `scene`. Tracks of what is not there, or can't be keyed, move nothing; of two of one property the first does.
+    /// Of `scene`. Tracks of what is not there or can't be keyed, and those whose keys the checks refuse, move nothing; of
+    /// two of one property the first does.
     pub fn new(scene: &Scene) -> Self {
         let moving = |track: &Track| {
             let target: Target = track.property.parse().ok()?;
-            let fits = !track.keys.is_empty() && track.keys.iter().all(|key| key.value.parts().len() == target.parts());
-            fits.then(|| Move { target, curve: Arc::new(Curve::new(track, target.turns())) })
+            is_sound(track, &target).then(|| Move { target, curve: Arc::new(Curve::of(track, &target)) })
         };
         let mut moves: Vec<Move> = scene.tracks.iter().filter_map(moving).collect();
         moves.sort_by_key(|each| each.target.owner);
@@ -57,18 +59,21 @@ impl Timeline {
             }
         }
         let mut timeline = Self { moves: only, weather: scene.weather, ..Self::default() };
-        timeline.sort_out();
+        timeline.sort_out(scene);
         timeline.blow();
         timeline
     }
 
     /// Which moves are whose.
-    fn sort_out(&mut self) {
+    fn sort_out(&mut self, scene: &Scene) {
         for (at, each) in self.moves.iter().enumerate() {
             match each.target.owner {
                 Owner::Thing(Thing::Cloud(id)) => self.of_clouds.entry(id).or_insert(at..at).end = at + 1,
                 Owner::Level(model, _) | Owner::Thing(Thing::Group(model, _) | Thing::Box(model, _)) => {
-                    self.of_looks.entry(model).or_default().push(at);
+                    let Some(rest) = scene.models.position(model).map(|at| &scene.models.as_slice()[at]) else {
+                        continue;
+                    };
+                    self.of_looks.entry(model).or_insert_with(|| (Arc::clone(rest), Vec::new())).1.push(at);
                 }
                 _ => self.of_others.push(at),
             }
@@ -149,10 +154,10 @@ impl Timeline {
         !self.of_looks.is_empty()
     }
 
-    /// What colours and light of `model` are at `clock_s`; none if they have no track.
-    pub fn model_at(&self, model: &CloudModel, clock_s: f64) -> Option<CloudModel> {
-        let moves = self.of_looks.get(&model.id)?;
-        let mut now = model.clone();
+    /// The model of that id with the colours and light that it has at `clock_s`; none if they have no track.
+    pub fn model_at(&self, model: ModelId, clock_s: f64) -> Option<CloudModel> {
+        let (rest, moves) = self.of_looks.get(&model)?;
+        let mut now = CloudModel::clone(rest);
         for at in moves {
             let mut set = Set { moves: &self.moves[*at..=*at], clock_s };
             match self.moves[*at].target.owner {
@@ -166,13 +171,29 @@ impl Timeline {
         Some(now)
     }
 
-    /// `scene`, whose timeline this is, at `clock_s`, but for its clouds and what they look like: those are
-    /// [`super::CloudNow`]'s.
+    /// `scene`, whose timeline this is, at `clock_s`; without its clouds and their models, if anything else moves: what
+    /// those are now is [`super::CloudNow`]'s, and thousands of them are not copied for each frame.
     pub fn surroundings_at<'s>(&self, scene: &'s Scene, clock_s: f64) -> Cow<'s, Scene> {
         if self.of_others.is_empty() {
             return Cow::Borrowed(scene);
         }
-        let mut now = scene.clone();
+        let mut now = Scene {
+            name: scene.name.clone(),
+            next_id: scene.next_id,
+            time_of_day_h: scene.time_of_day_h,
+            place: scene.place.clone(),
+            sun: scene.sun,
+            sky: scene.sky.clone(),
+            weather: scene.weather,
+            ground: scene.ground.clone(),
+            atlas: scene.atlas.clone(),
+            cameras: scene.cameras.clone(),
+            models: List::new(),
+            clouds: List::new(),
+            paths: scene.paths.clone(),
+            aircraft: scene.aircraft.clone(),
+            tracks: List::new(),
+        };
         for at in &self.of_others {
             let moves = &self.moves[*at..=*at];
             change(&mut now, moves[0].target.owner, &mut Set { moves, clock_s });
@@ -189,9 +210,10 @@ impl Timeline {
         }
     }
 
-    /// Whether it moves nothing.
-    pub fn is_empty(&self) -> bool {
-        self.moves.is_empty()
+    /// Whether the clock moves anything.
+    pub fn moves(&self) -> bool {
+        let Weather { turbulence, day_speed, .. } = self.weather;
+        !self.moves.is_empty() || self.wind.is_some() || turbulence != 0.0 || day_speed != 0.0
     }
 
     /// The curve of what is at that address, if it is keyed.
@@ -233,13 +255,24 @@ struct Set<'a> {
 impl Change for Set<'_> {
     fn thing<T: Described>(&mut self, thing: &mut T) {
         for Move { target, curve } in self.moves {
-            let Some(row) = T::rows().find(|row| std::ptr::eq(&row.property, target.property)) else { continue };
+            // Not by the row's own place in memory: there may be a copy of the table for each that reads it.
+            let Some(row) = T::rows().find(|row| row.property.is_the_same(target.property)) else { continue };
             let numbers = curve.all_at(self.clock_s);
             for (part, number) in numbers.into_iter().take(target.parts()).enumerate() {
                 row.set_number(thing, part, target.bring_within(number));
             }
         }
     }
+}
+
+/// Whether the keys of `track` are numbers in order of time, as many each as `target` has.
+fn is_sound(track: &Track, target: &Target) -> bool {
+    let is_number = |key: &TrackKey| {
+        let parts = key.value.parts();
+        key.time_s.is_finite() && parts.len() == target.parts() && parts.iter().all(|part| part.is_finite())
+    };
+    let in_order = track.keys.windows(2).all(|pair| pair[0].time_s < pair[1].time_s);
+    !track.keys.is_empty() && in_order && track.keys.iter().all(is_number)
 }
 
 /// Levels that tracks have put past one another are lifted to the one below.

@@ -3,17 +3,23 @@
 //! Both are integrals over all that has blown since second 0: [`Sums`] and [`Lagged`], made on the edit clock from the
 //! curves of direction, speed and shear.
 
+mod smooth;
+
 use super::Curve;
 use super::lag::Lagged;
 use super::pieces::Pieces;
 use super::sums::Sums;
 use glam::DVec2;
+use smooth::Smooth;
 use std::sync::Arc;
 
 /// The wind at which edges lean as far as they reach, m/s.
 pub const FULL_LEAN_MPS: f64 = 10.0;
 /// No edge leans further than this, in its reach.
 pub const MOST_LEAN: f64 = 1.5;
+/// No wind is faster, m/s, and none shears more: as in the table of properties. Handles may have curves overshoot.
+const FASTEST_MPS: f64 = 150.0;
+const MOST_SHEAR: f64 = 4.0;
 
 /// Direction, speed and shear over time.
 #[derive(Debug, Clone)]
@@ -47,23 +53,29 @@ pub struct Lean {
 impl WindTracks {
     /// East and south, m/s.
     pub fn velocity_mps(&self, time_s: f64) -> DVec2 {
-        let (sin, cos) = libm::sincos(self.from_deg.at(time_s, 0).to_radians());
-        DVec2::new(-sin, cos) * self.speed_mps.at(time_s, 0).max(0.0)
+        velocity([self.from_deg.at(time_s, 0), self.speed_mps.at(time_s, 0)])
     }
 
     /// What edges strive for: to lean with the wind, and more so above than below if it shears.
     pub fn striven_for(&self, time_s: f64) -> Lean {
-        let (wind, shear) = (self.velocity_mps(time_s) / FULL_LEAN_MPS, self.shear.at(time_s, 0));
-        // Within the most lean at top and bottom too; smoothly, so that pieces fit it.
-        let most = MOST_LEAN / (1.0 + 0.5 * shear.abs());
-        let share = wind.length_squared() / (most * most);
-        let middle = wind / (1.0 + share * share).sqrt().sqrt();
-        Lean { middle, shear: middle * shear }
+        striven([self.from_deg.at(time_s, 0), self.speed_mps.at(time_s, 0), self.shear.at(time_s, 0)])
     }
+}
 
-    fn curves(&self) -> [&Curve; 3] {
-        [&self.from_deg, &self.speed_mps, &self.shear]
-    }
+/// East and south, m/s.
+fn velocity([from_deg, speed_mps]: [f64; 2]) -> DVec2 {
+    let (sin, cos) = libm::sincos(from_deg.to_radians());
+    DVec2::new(-sin, cos) * speed_mps.clamp(0.0, FASTEST_MPS)
+}
+
+fn striven([from_deg, speed_mps, shear]: [f64; 3]) -> Lean {
+    let wind = velocity([from_deg, speed_mps]) / FULL_LEAN_MPS;
+    let shear = shear.clamp(-MOST_SHEAR, MOST_SHEAR);
+    // Within the most lean at top and bottom too; smoothly, so that pieces fit it.
+    let most = MOST_LEAN / (1.0 + 0.5 * shear.abs());
+    let share = wind.length_squared() / (most * most);
+    let middle = wind / (1.0 + share * share).sqrt().sqrt();
+    Lean { middle, shear: middle * shear }
 }
 
 impl Wind {
@@ -72,16 +84,19 @@ impl Wind {
         if tracks.speed_mps.is_zero() {
             return None;
         }
-        let (breaks, loops_from_s) = breaks_s(&tracks.curves());
-        let way = |time_s| {
-            let velocity = tracks.velocity_mps(time_s);
+        let WindTracks { from_deg, speed_mps, shear } = &tracks;
+        let of_way = Smooth::of([from_deg, speed_mps]);
+        let of_lean = Smooth::of([from_deg, speed_mps, shear]);
+        let way = |values| {
+            let velocity = velocity(values);
             [velocity.x, velocity.y, velocity.length()]
         };
-        let lean = |time_s| {
-            let Lean { middle, shear } = tracks.striven_for(time_s);
+        let lean = |values| {
+            let Lean { middle, shear } = striven(values);
             [middle.x, middle.y, shear.x, shear.y]
         };
-        let (way, lean) = (Pieces::fit(way, &breaks, loops_from_s), Pieces::fit(lean, &breaks, loops_from_s));
+        let way = Pieces::fit(|time_s| of_way.at(time_s, way), &of_way.breaks, of_way.loops_from_s);
+        let lean = Pieces::fit(|time_s| of_lean.at(time_s, lean), &of_lean.breaks, of_lean.loops_from_s);
         Some(Self { tracks, way: Sums::new(way), lean: Lagged::new(lean, lag_s) })
     }
 
@@ -109,35 +124,10 @@ impl Wind {
 
     /// The way of what goes along with it by a `share` that changes.
     pub fn shared(&self, share: &Curve) -> Sums<2> {
-        let [from_deg, speed_mps, _] = self.tracks.curves();
-        let (breaks, loops_from_s) = breaks_s(&[from_deg, speed_mps, share]);
-        let way = |time_s| (self.tracks.velocity_mps(time_s) * share.at(time_s, 0)).to_array();
-        Sums::new(Pieces::fit(way, &breaks, loops_from_s))
+        let smooth = Smooth::of([&self.tracks.from_deg, &self.tracks.speed_mps, share]);
+        let way = |[from_deg, speed_mps, share]: [f64; 3]| {
+            (velocity([from_deg, speed_mps]) * share.clamp(0.0, 1.0)).to_array()
+        };
+        Sums::new(Pieces::fit(|time_s| smooth.at(time_s, way), &smooth.breaks, smooth.loops_from_s))
     }
-}
-
-/// Between which times all `curves` are smooth, from second 0 to where they hold; or, if any comes again and again, to
-/// where all do, with where that begins. Of periods that don't fit into one another the longest counts.
-fn breaks_s(curves: &[&Curve]) -> (Vec<f64>, Option<f64>) {
-    let end_s = curves.iter().map(|curve| curve.ends_s()[1]).fold(0.0, f64::max);
-    let periods: Vec<f64> = curves.iter().filter_map(|curve| curve.period_s()).collect();
-    let loops_from_s = (!periods.is_empty()).then_some(end_s);
-    let last_s = end_s + common_period_s(&periods);
-    let mut breaks: Vec<f64> = curves.iter().flat_map(|curve| curve.breaks_s([0.0, last_s])).collect();
-    breaks.extend([0.0, end_s, last_s]);
-    breaks.sort_by(f64::total_cmp);
-    breaks.dedup();
-    (breaks, loops_from_s)
-}
-
-/// The least time after which all of `periods_s` begin anew, if that is within a dozen of the longest; 0 of none.
-fn common_period_s(periods_s: &[f64]) -> f64 {
-    let longest = periods_s.iter().copied().fold(0.0, f64::max);
-    let fits = |whole: &f64| {
-        periods_s.iter().all(|period| {
-            let rounds = whole / period;
-            (rounds - libm::round(rounds)).abs() < 1e-9 * rounds
-        })
-    };
-    (1..=12).map(|times| longest * f64::from(times)).find(fits).unwrap_or(longest)
 }

@@ -34,6 +34,13 @@ struct Frame {
     ground_cells_m: vec4f,
     // Premultiplied, before everything.
     veil: vec4f,
+    // The air that moves sprites one by one (core/src/weather/air.rs).
+    air_lean: vec3f,
+    air_turned: f32,
+    air_lean_shear: vec3f,
+    air_turbulence: f32,
+    air_swings: vec3f,
+    air_humidity: f32,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

@@ -11,12 +11,15 @@ mod cumulonimbus;
 mod cumulus;
 mod fair_weather;
 mod forming;
+mod front;
+mod lee;
 mod look;
 mod overcast;
 mod presets;
 mod single_cumulus;
 mod sketch;
 mod stratus;
+mod summer_day;
 
 pub use look::heap as heap_levels;
 pub use presets::PRESETS;
@@ -36,4 +39,7 @@ pub const SCENES: &[NamedScene] = &[
     ("altocumulus", altocumulus::scene),
     ("overcast", overcast::scene),
     ("forming", forming::scene),
+    ("summer_day", summer_day::scene),
+    ("front", front::scene),
+    ("lee", lee::scene),
 ];

@@ -2,8 +2,9 @@
 
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::scene::{
-    BoxId, Camera, CameraId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevels, CullRadius,
-    GroupCenter, GroupLight, List, ModelId, PathId, PathKey, Scene,
+    Beyond, BoxId, Camera, CameraId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevels,
+    CullRadius, GroupCenter, GroupLight, KeyValue, Leaves, List, ModelId, PathId, PathKey, Scene, Track, TrackId,
+    TrackKey,
 };
 use glam::{DQuat, DVec3};
 
@@ -165,5 +166,19 @@ impl Sketch {
             ..Cloud::new(id, self.scene.model(model).expect("a model"), position)
         };
         self.scene.clouds.push(cloud);
+    }
+
+    /// A new track of the property of that address: seconds and values.
+    pub fn key(&mut self, property: &str, leaves: Leaves, beyond: Beyond, keys: &[(f64, f64)]) {
+        let key = |(time_s, value): &(f64, f64)| TrackKey { leaves, ..TrackKey::new(*time_s, KeyValue::One(*value)) };
+        let id = TrackId::new(&mut self.scene.next_id);
+        let track = Track::new(id, property, keys.iter().map(key).collect());
+        self.scene.tracks.push(Track { before: beyond, after: beyond, ..track });
+    }
+
+    /// The same of the cloud that was placed last, smooth, and as its first key before and its last key after.
+    pub fn key_cloud(&mut self, property: &str, keys: &[(f64, f64)]) {
+        let id = self.scene.clouds.last().expect("a cloud").id;
+        self.key(&format!("cloud/{id}/{property}"), Leaves::Smooth, Beyond::Hold, keys);
     }
 }

@@ -7,11 +7,11 @@ use cloudwright_core::draw_list::{DrawList, Run};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::scene::{
     BoxId, Camera, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevel, GroupCenter, GroupId, GroupLight,
-    ModelId, Scene, ShadingGroup, Sun,
+    KeyValue, ModelId, Scene, ShadingGroup, Sun, Track, TrackId, TrackKey, Weather,
 };
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
-use cloudwright_core::weather::{WeatherRules, Moment, SceneNow};
+use cloudwright_core::weather::{Moment, SceneNow, WeatherRules};
 use glam::{DQuat, DVec3};
 
 /// One picture to draw.
@@ -25,6 +25,8 @@ pub struct Case {
     pub camera: Camera,
     /// Local civil hours.
     pub time_h: f64,
+    /// Seconds of the scene's clock.
+    pub clock_s: f64,
     /// What else the moment does.
     pub now: fn(&mut SceneNow<'_>),
     /// And the list.
@@ -37,8 +39,9 @@ impl Case {
     /// Gives the case's frame to `draw`.
     pub fn with_frame<T>(&self, draw: impl FnOnce(&Frame<'_>) -> T) -> T {
         let derived = Derived::new(&self.scene);
-        let moment = Moment::at_hour(self.time_h);
-        let mut now = SceneNow::new(&self.scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
+        let moment = Moment { clock_s: self.clock_s, time_h: Some(self.time_h) };
+        let mut now =
+            SceneNow::new(&self.scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
         (self.now)(&mut now);
         let mut frame = Frame::of(now, &derived, Atlas::built_in(), &Sight::still(&self.camera, SIZE));
         (self.list)(&mut frame.list);
@@ -61,6 +64,7 @@ pub fn cases() -> Vec<Case> {
         scene: clouds(),
         camera: Camera::free(DVec3::new(0.0, 900.0, 1800.0)),
         time_h: 12.0,
+        clock_s: 0.0,
         now: |_| (),
         list: |_| (),
     };
@@ -95,6 +99,19 @@ pub fn cases() -> Vec<Case> {
             ..noon.clone()
         },
         Case {
+            name: "turned_and_scaled",
+            now: |now| {
+                for (cloud, turn_deg) in now.clouds.iter_mut().zip([35.0_f32, -100.0, 170.0]) {
+                    let (sin, cos) = turn_deg.to_radians().sin_cos();
+                    (cloud.turn, cloud.scale) = ([sin, cos], 1.3);
+                }
+            },
+            ..noon.clone()
+        },
+        weather("in_wind_and_dry_air", &noon, [2400.0, 0.75, 0.0]),
+        weather("in_churning_air", &noon, [77.7, 1.0, 1.0]),
+        keyed_look(&noon),
+        Case {
             name: "in_two_runs",
             list: |list| {
                 let from = list.sprites.len() / 2;
@@ -112,6 +129,27 @@ pub fn moved(case: &Case, name: &'static str, by: DVec3) -> Case {
     case.camera.position += by;
     for cloud in &mut case.scene.clouds {
         cloud.position += by;
+    }
+    case
+}
+
+/// `case` in a wind that shears, at so many seconds, in air of that humidity and turbulence.
+fn weather(name: &'static str, case: &Case, [clock_s, humidity, turbulence]: [f64; 3]) -> Case {
+    let mut case = Case { name, clock_s, ..case.clone() };
+    case.scene.weather = Weather { humidity, turbulence, wind_speed_mps: 14.0, wind_shear: 1.0, ..case.scene.weather };
+    case.scene.clouds.iter_mut().for_each(|cloud| cloud.wind_share = 0.0);
+    case
+}
+
+/// `case` with a colour level and a group's light that tracks have changed.
+fn keyed_look(case: &Case) -> Case {
+    let mut case = Case { name: "keyed_look", clock_s: 5.0, ..case.clone() };
+    let model = &case.scene.models[0];
+    let (level, each) = (format!("model/{}/color_levels/3/color", model.id), model.boxes[0].id);
+    let light = format!("model/{}/box/{each}/light/c_max", model.id);
+    for (property, value) in [(level, KeyValue::Three([0.9, 0.2, 0.1])), (light, KeyValue::One(0.2))] {
+        let id = TrackId::new(&mut case.scene.next_id);
+        case.scene.tracks.push(Track::new(id, property, vec![TrackKey::new(0.0, value)]));
     }
     case
 }

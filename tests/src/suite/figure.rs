@@ -3,12 +3,13 @@
 use super::sprite_changes::sprite_changes;
 use super::stage::Stage;
 use cloudwright_core::color::{Premultiplied, Rgb};
+use cloudwright_core::derived::Derived;
 use cloudwright_core::draw::Drawn;
 use cloudwright_core::image::{Layer, LinearPicture};
 use cloudwright_core::measure::{Stability, linear_error, opacity_error};
 use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::Camera;
-use cloudwright_core::weather::{FormingRule, Stepped};
+use cloudwright_core::weather::{FormingRule, Stepped, SteppedStreaming, StreamingRule};
 
 /// Which number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -23,16 +24,19 @@ pub enum Figure {
     Excess,
     /// Largest change of any pixel's opacity from one picture to the next, whatever the truth does.
     Steps,
-    /// Largest change of any sprite for each metre flown, of its alpha, its facing or its up, in shares of [`super::CHANGES`].
+    /// Largest change of any sprite for each metre that it and the eye pass one another, of its alpha, its facing or its up,
+    /// in shares of [`super::CHANGES`].
     Sprites,
+    /// How far any sprite is carried from its rest, in its cloud's reach.
+    Moves,
     /// Largest change of any pixel's opacity when frames come 10, 60 or 240 times a second.
     Rates,
 }
 
 impl Figure {
     /// In the order of reports.
-    pub const ALL: [Self; 7] =
-        [Self::Light, Self::Clouds, Self::Opacity, Self::Excess, Self::Steps, Self::Sprites, Self::Rates];
+    pub const ALL: [Self; 8] =
+        [Self::Light, Self::Clouds, Self::Opacity, Self::Excess, Self::Steps, Self::Sprites, Self::Moves, Self::Rates];
 
     /// As it is called in a report.
     pub fn name(self) -> &'static str {
@@ -43,6 +47,7 @@ impl Figure {
             Self::Excess => "excess",
             Self::Steps => "steps",
             Self::Sprites => "sprites",
+            Self::Moves => "moves",
             Self::Rates => "rates",
         }
     }
@@ -56,9 +61,10 @@ impl Figure {
             Self::Excess => "largest change of any pixel from picture to picture beyond the truth's own, linear light",
             Self::Steps => "largest change of any pixel's opacity from picture to picture, whatever the truth does",
             Self::Sprites => {
-                "largest change of any sprite's alpha, facing or up for each metre flown, times its lock distance, as a \
-                 share of 6, 7 and 28"
+                "largest change of any sprite's alpha, facing or up for each metre that it and the eye pass one another, \
+                 times its lock distance, as a share of 6, 7 and 28"
             }
+            Self::Moves => "how far any sprite is carried from its rest, in its cloud's reach",
             Self::Rates => "largest change of any pixel's opacity when frames come 10, 60 or 240 times a second",
         }
     }
@@ -85,8 +91,13 @@ impl Figure {
                 largest(pictures.windows(2).map(|two| opacity((two[0].clouds.as_ref()?, two[1].clouds.as_ref()?))))
             }
             Self::Sprites => {
-                let cameras: Vec<Camera> = stage.looks.iter().map(|look| look.camera.clone()).collect();
-                Some(sprite_changes(&stage.scene, &cameras, rules).share().into())
+                let looks: Vec<(Camera, f64)> =
+                    stage.looks.iter().map(|look| (look.camera.clone(), look.clock_s)).collect();
+                Some(sprite_changes(&stage.scene, &looks, rules).share().into())
+            }
+            Self::Moves => {
+                let derived = Derived::new(&stage.scene);
+                largest(stage.looks.iter().map(|look| Some(largest_move(&derived, rules, look.clock_s))))
             }
             Self::Rates => {
                 let [slow, usual, quick] = [10, 60, 240].map(|rate| stage.draw(&at_rate(rules, rate)));
@@ -96,6 +107,19 @@ impl Figure {
             }
         }
     }
+}
+
+/// What is no number has gone infinitely far.
+fn largest_move(derived: &Derived, rules: &Rules, clock_s: f64) -> f32 {
+    let mut largest = 0.0_f32;
+    for cloud in derived.clouds_at(clock_s, rules.of_weather()) {
+        let Some(air) = &cloud.air else { continue };
+        for (index, rest) in cloud.placed.sprites.iter().enumerate() {
+            let moved = cloud.sprite_now(index).position.distance(cloud.point_now(rest.position)) / air.reach_m;
+            largest = largest.max(if moved.is_finite() { moved } else { f32::INFINITY });
+        }
+    }
+    largest
 }
 
 /// None if one of them is.
@@ -118,5 +142,11 @@ fn at_rate(rules: &Rules, frames_a_second: u32) -> Rules {
         FormingRule::ClosedForm => FormingRule::ClosedForm,
         FormingRule::Stepped(stepped) => FormingRule::Stepped(Stepped { frames_a_second, ..stepped }),
     };
-    Rules { forming, ..*rules }
+    let streaming = match rules.streaming {
+        StreamingRule::ClosedForm => StreamingRule::ClosedForm,
+        StreamingRule::Stepped(stepped) => {
+            StreamingRule::Stepped(SteppedStreaming { frame_s: 1.0 / f64::from(frames_a_second), ..stepped })
+        }
+    };
+    Rules { forming, streaming, ..*rules }
 }

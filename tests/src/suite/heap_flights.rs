@@ -6,14 +6,23 @@ use crate::small_scenes;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::facing::lock_distance;
 use cloudwright_core::random::{draw, unit};
-use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::scene::{Camera, Scene, Weather};
 use cloudwright_core::sprites::{Atlas, Sprite};
+use cloudwright_core::view_history::STEP_S;
 use glam::DVec3;
 use std::borrow::Cow;
 
 /// Through the middle, `reach_m` before it to as far behind it, in six seconds.
 pub fn through(reach_m: f64) -> Stage {
     flight(straight(|heap| (heap.heart + DVec3::Z * reach_m, heap.heart - DVec3::Z * reach_m)))
+}
+
+/// The same through a heap that a wind from ahead carries towards the eye, that leans with it and churns.
+pub fn stirred() -> Stage {
+    let mut stage = through(400.0);
+    stage.scene.weather = Weather { wind_from_deg: 0.0, wind_speed_mps: 15.0, turbulence: 1.0, ..Weather::default() };
+    stage.looks.iter_mut().enumerate().for_each(|(step, look)| look.clock_s = step as f64 * STEP_S);
+    stage
 }
 
 /// Past the middle at the height of the outermost sprites.

@@ -18,6 +18,7 @@ mod stage;
 mod stills;
 pub mod studio;
 mod table;
+mod weather;
 
 pub use bounds::{Bound, ROUNDING, STOP};
 pub use figure::Figure;
@@ -41,7 +42,7 @@ pub struct Situation {
     pub breaks: &'static [&'static str],
 }
 
-/// All situations: flights, forming, stills.
+/// All situations: flights, forming, weather, stills.
 pub fn situations() -> impl Iterator<Item = &'static Situation> {
-    flights::SITUATIONS.iter().chain(forming::SITUATIONS).chain(stills::SITUATIONS)
+    flights::SITUATIONS.iter().chain(forming::SITUATIONS).chain(weather::SITUATIONS).chain(stills::SITUATIONS)
 }

@@ -1,4 +1,4 @@
-//! How much a view's sprites change for each metre flown: the figures by which rules of locking are judged.
+//! How much a view's sprites change for each metre that they and the eye pass one another: the figures by which rules of locking are judged.
 //!
 //! Figures are in units of 1 / lock distance of the sprite that they are of, so that one bound holds for all sizes.
 
@@ -8,11 +8,11 @@ use cloudwright_core::facing::upright::RELAXING;
 use cloudwright_core::facing::{Pose, Poses, lock_distance};
 use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, Scene};
-use cloudwright_core::sprites::{PlacedCloud, Sprite};
 use cloudwright_core::view_history::ViewHistory;
+use cloudwright_core::weather::CloudNow;
 use glam::DVec3;
 
-/// Largest changes of any sprite in one step, for each metre flown, times its lock distance.
+/// Largest changes of any sprite in one step, for each metre that it and the eye pass one another, times its lock distance.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct SpriteChanges {
     /// Of its alpha's factor.
@@ -39,20 +39,20 @@ impl SpriteChanges {
     }
 }
 
-/// What sprites do along `cameras`, a step of 1/60 s each.
-pub fn sprite_changes(scene: &Scene, cameras: &[Camera], rules: &Rules) -> SpriteChanges {
+/// What sprites do as `looks` see them, a step of 1/60 s each: from where, and at which second of the scene's clock.
+pub fn sprite_changes(scene: &Scene, looks: &[(Camera, f64)], rules: &Rules) -> SpriteChanges {
     let derived = Derived::new(scene);
     let mut history = ViewHistory::default();
-    let mut before: Option<(DVec3, Vec<Pose>)> = None;
+    let mut before: Option<Vec<(DVec3, Pose)>> = None;
     let mut largest = SpriteChanges::default();
-    for camera in cameras {
+    for (camera, clock_s) in looks {
         let view = View::new(camera, 96, 54);
-        history.step(rules, &derived, 0.0, &view);
-        let now = all_poses(rules, &derived, &view, &history);
-        if let Some((eye, then)) = &before {
-            let metres = view.eye.distance(*eye) as f32;
+        history.step(rules, &derived, *clock_s, &view);
+        let now = all_poses(rules, &derived, *clock_s, &view, &history);
+        if let Some(then) = &before {
             let radii = derived.clouds().iter().flat_map(|cloud| cloud.sprites.iter().map(|sprite| sprite.radius()));
-            for ((a, b), radius) in then.iter().zip(&now).zip(radii) {
+            for (((was, a), (is, b)), radius) in then.iter().zip(&now).zip(radii) {
+                let metres = was.distance(*is) as f32;
                 let each = |change: f32| change / metres * lock_distance(radius);
                 let shown = a.fade.min(b.fade);
                 largest.fade = largest.fade.max(each((a.fade - b.fade).abs()));
@@ -60,20 +60,23 @@ pub fn sprite_changes(scene: &Scene, cameras: &[Camera], rules: &Rules) -> Sprit
                 largest.up = largest.up.max(each(shown * a.up.distance(b.up)));
             }
         }
-        before = Some((view.eye, now));
+        before = Some(now);
     }
     largest
 }
 
-fn all_poses(rules: &Rules, derived: &Derived, view: &View, history: &ViewHistory) -> Vec<Pose> {
-    let clouds = derived.clouds_at(0.0, rules.of_weather());
+/// Of each sprite, where it is from the eye, metres, and its pose.
+fn all_poses(rules: &Rules, derived: &Derived, clock_s: f64, view: &View, history: &ViewHistory) -> Vec<(DVec3, Pose)> {
+    let clouds = derived.clouds_at(clock_s, rules.of_weather());
     let poses = Poses::new(&rules.facing, &clouds, derived.shapes(), view, &history.facing);
-    let of_cloud = |(index, cloud): (usize, &PlacedCloud)| -> Vec<Pose> {
-        let offset = (cloud.origin - view.eye).as_vec3();
-        let pose = |(sprite, at): (&Sprite, u32)| {
-            poses.of_sprite(index, at).copied().unwrap_or_else(|| Pose::facing_eye(offset + sprite.position, view.up))
+    let of_cloud = |(index, cloud): (usize, &CloudNow<'_>)| -> Vec<(DVec3, Pose)> {
+        let offset = cloud.origin() - view.eye;
+        let pose = |at: u32| {
+            let center = offset + cloud.sprite_now(at as usize).position.as_dvec3();
+            let own = poses.of_sprite(index, at).copied();
+            (center, own.unwrap_or_else(|| Pose::facing_eye(center.as_vec3(), view.up)))
         };
-        cloud.sprites.iter().zip(0..).map(pose).collect()
+        (0..cloud.placed.sprites.len() as u32).map(pose).collect()
     };
-    derived.clouds().iter().enumerate().flat_map(of_cloud).collect()
+    clouds.iter().enumerate().flat_map(of_cloud).collect()
 }

@@ -7,11 +7,11 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::posed_sprite::Still;
 use cloudwright_core::scene::{CullRadius, Formation};
 use cloudwright_core::sight::Sight;
-use cloudwright_core::sprites::{Atlas, PlacedCloud};
+use cloudwright_core::sprites::Atlas;
 use cloudwright_core::watch::Watch;
-use cloudwright_core::weather::Light;
+use cloudwright_core::weather::{CloudNow, Light, WeatherRules};
 use cloudwright_tests::small_scenes::heap;
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use serde_json::Value;
 
 fn as_json(clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>) -> Value {
@@ -26,6 +26,10 @@ fn as_table(clouds: &[CloudNow<'_>], shaded: Option<Still<'_>>) -> String {
     String::from_utf8(text).expect("text")
 }
 
+fn at_rest(derived: &Derived) -> Vec<CloudNow<'_>> {
+    derived.clouds_at(0.0, WeatherRules::default())
+}
+
 fn point(value: &Value) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|i| value[i].as_f64().expect("a number")))
 }
@@ -36,7 +40,7 @@ fn shaded_heap() -> (Value, DVec3) {
     let view = View::new(&scene.cameras[0], 1280, 720);
     let light = Light::at(&scene, 17.5);
     let still = Still { view: &view, light: &light };
-    (as_json(derived.clouds(), Some(still)), scene.cameras[0].position)
+    (as_json(&at_rest(&derived), Some(still)), scene.cameras[0].position)
 }
 
 /// The shading formulas once more, in f64 and from the exported figures alone.
@@ -100,7 +104,7 @@ fn corners_follow_from_the_exported_figures() {
 fn without_light_there_are_no_corners() {
     let scene = heap(5);
     let derived = Derived::new(&scene);
-    let file = as_json(derived.clouds(), None);
+    let file = as_json(&at_rest(&derived), None);
     assert!(file.get("light").is_none() && file["clouds"][0]["sprites"][0].get("corners").is_none());
 }
 
@@ -109,12 +113,12 @@ fn a_table_has_a_line_a_sprite() {
     let mut scene = heap(20);
     scene.clouds[0].name = "odd, \"name\"".into();
     let derived = Derived::new(&scene);
-    let text = as_table(derived.clouds(), None);
+    let text = as_table(&at_rest(&derived), None);
     assert_eq!(text.lines().count(), 1 + derived.clouds()[0].sprites.len());
     assert!(text.lines().nth(1).expect("a sprite").contains("\"odd, \"\"name\"\"\""));
     let view = View::new(&scene.cameras[0], 100, 100);
     let light = Light::at(&scene, 12.0);
-    let shaded = as_table(derived.clouds(), Some(Still { view: &view, light: &light }));
+    let shaded = as_table(&at_rest(&derived), Some(Still { view: &view, light: &light }));
     assert_eq!(shaded.lines().next().map(|head| head.split(',').count()), Some(13 + 16));
 }
 
@@ -127,8 +131,8 @@ fn corners_are_as_far_as_the_cloud_has_formed() {
     let derived = Derived::new(&scene);
     let (view, light) = (View::new(&scene.cameras[0], 100, 100), Light::at(&scene, 12.0));
     let largest_alpha = |clock_s: f64| {
-        let shaded = Some(Still { view: &view, light: &light, clock_s });
-        let text = as_table(derived.clouds(), shaded);
+        let shaded = Some(Still { view: &view, light: &light });
+        let text = as_table(&derived.clouds_at(clock_s, WeatherRules::default()), shaded);
         let alphas = text.lines().skip(1).filter_map(|line| line.rsplit(',').next()?.parse::<f32>().ok());
         alphas.fold(0.0, f32::max)
     };
@@ -149,10 +153,10 @@ fn a_picture_and_an_export_show_one_sprite() {
     let still = Still { view: &frame.view, light: &frame.now.light };
     let mut faded = 0;
     for drawn in &frame.list.sprites {
-        let cloud = &derived.clouds()[drawn.cloud as usize];
-        let (drawn, left) = (frame.posed(drawn), still.posed(cloud, &cloud.sprites[drawn.sprite as usize]));
+        let cloud = &frame.now.clouds[drawn.cloud as usize];
+        let (drawn, left) = (frame.posed(drawn), still.posed(cloud, drawn.sprite as usize));
         // Near the eye the two measure the way to it by different sums: some units in the last place of 100 m and of 1.
-        for (a, b) in drawn.corners(drawn.sprite.position).into_iter().zip(left.corners(left.sprite.position)) {
+        for (a, b) in drawn.corners(Vec3::ZERO).into_iter().zip(left.corners(Vec3::ZERO)) {
             assert!(a.distance(b) < 1e-3, "{a} {b}");
             let (drawn, left) = (drawn.light_at(b), left.light_at(b));
             assert_eq!((drawn.ambient.rgb, drawn.directional), (left.ambient.rgb, left.directional));
@@ -172,7 +176,7 @@ fn text_leaves_as_it_is_made() {
     let (view, light) = (View::new(&scene.cameras[0], 100, 100), Light::at(&scene, 12.0));
     let (full, watch) = (&mut [0; 100_000][..], Watch::default());
     let still = Still { view: &view, light: &light };
-    let error = sprites_json::write(&mut { full }, derived.clouds(), Some(still), &watch).expect_err("too small");
+    let error = sprites_json::write(&mut { full }, &at_rest(&derived), Some(still), &watch).expect_err("too small");
     assert_eq!(error.kind(), std::io::ErrorKind::WriteZero);
     assert!(watch.share() < 0.5, "{} of 6000 sprites were made into text", watch.share());
 }
@@ -184,6 +188,6 @@ fn an_export_stops_when_it_is_not_wanted_any_more() {
     let watch = Watch::default();
     watch.cancel();
     let mut text = Vec::new();
-    sprites_csv::write(&mut text, derived.clouds(), None, &watch).expect("memory takes all");
+    sprites_csv::write(&mut text, &at_rest(&derived), None, &watch).expect("memory takes all");
     assert_eq!(text.iter().filter(|byte| **byte == b'\n').count(), 1, "no more than the line of heads");
 }

@@ -20,5 +20,7 @@ mod shading;
 mod sprites;
 mod suite;
 mod thin;
+mod timeline;
 mod truth;
 mod weather;
+mod wind;

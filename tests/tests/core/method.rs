@@ -2,19 +2,20 @@
 
 use cloudwright_core::derived::Derived;
 use cloudwright_core::detail::{Detail, Subset};
+use cloudwright_core::document::{Document, Edit, ListEdit};
 use cloudwright_core::draw::{self, Drawn};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, linear_error};
 use cloudwright_core::method::{Family, METHODS, Method, named, shipped, truth};
 use cloudwright_core::raster::develop;
-use cloudwright_core::rules::{Rasterizer, Rules};
-use cloudwright_core::scene::{Camera, Formation, FormationChange, Scene};
+use cloudwright_core::rules::{Movement, Rasterizer, Rules};
+use cloudwright_core::scene::{Camera, Cloud, Formation, FormationChange, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::variants::{STEPPED_AS_PRINTED, STEPPED_MENDED};
 use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::{Formed, FormingRule, Moment, Stepped, WeatherRules};
-use cloudwright_tests::small_scenes::heap;
+use cloudwright_tests::small_scenes::{crowd, heap};
 use std::collections::BTreeSet;
 
 const SIZE: [u32; 2] = [48, 27];
@@ -116,14 +117,52 @@ fn kept_sprites_are_the_largest() {
     for (share, count) in
         [(0.0, 0), (0.5, cloud.sprites.len().div_ceil(2)), (1.0, cloud.sprites.len()), (7.0, cloud.sprites.len())]
     {
-        let chosen =
-            Subset::new(Detail { kept: share }, &all.clouds_at(0.0, WeatherRules::default()), atlas);
+        let chosen = Subset::new(Detail { kept: share }, &all.clouds_at(0.0, WeatherRules::default()), atlas);
         let (kept, dropped): (Vec<_>, Vec<_>) =
             cloud.sprites.iter().zip(0..).partition(|(sprite, at)| chosen.has(0, sprite, *at));
         assert_eq!((kept.len(), chosen.is_all()), (count, share >= 1.0), "{share}");
         let least = kept.iter().map(|(sprite, _)| cover(sprite)).fold(f32::INFINITY, f32::min);
         assert!(dropped.iter().all(|(sprite, _)| cover(sprite) <= least), "{share}");
     }
+}
+
+/// Frames look up which sprites are kept: that is chosen once of each cloud's sprites, and again only of those that are
+/// placed anew.
+#[test]
+fn sprites_are_chosen_once_for_all_frames() {
+    let mut document = Document::new(crowd(3));
+    let mut derived = Derived::new(document.scene());
+    let draw = |scene: &Scene, derived: &Derived, name: &str, clock_s: f64| {
+        let camera = &mut scene.cameras[0].clone();
+        camera.position.x += clock_s;
+        let rules = named(name).expect("in the table").rules;
+        let sight = Sight { moment: Moment::at(clock_s), rules, ..Sight::still(camera, SIZE) };
+        Frame::new(scene, derived, Atlas::built_in(), &sight).list.sprites.len()
+    };
+    let chosen =
+        |derived: &Derived| -> Vec<u64> { derived.clouds().iter().map(|cloud| cloud.sprites.choices_made()).collect() };
+    let [all, half] = ["fast", "half"].map(|name| draw(document.scene(), &derived, name, 0.0));
+    assert!(half < all && half > 0, "{half} of {all}");
+    for (name, want) in [("fast", 1), ("half", 1), ("quarter", 2), ("half", 2), ("quarter", 2)] {
+        for clock_s in [0.0, 1.0] {
+            draw(document.scene(), &derived, name, clock_s);
+            assert_eq!(chosen(&derived), [want; 3], "{name} at {clock_s} s");
+        }
+    }
+    let cloud = document.scene().clouds[1].clone();
+    for (edit, want) in [
+        (Cloud { position: cloud.position + glam::DVec3::X, name: "moved".into(), ..cloud.clone() }, [2, 2, 2]),
+        (Cloud { scale: 2.0, ..cloud }, [2, 1, 2]),
+    ] {
+        let change = document.apply(Edit::Cloud(ListEdit::Replace(edit))).expect("it is there");
+        derived.update(document.scene(), &change);
+        draw(document.scene(), &derived, "half", 2.0);
+        assert_eq!(chosen(&derived), want);
+    }
+    let other = Atlas::from_sheet(&[]);
+    let clouds = derived.clouds_at(0.0, WeatherRules::default());
+    Subset::new(Detail { kept: 0.5 }, &clouds, &other);
+    assert_eq!(chosen(&derived), [3, 2, 3], "other tiles cover otherwise");
 }
 
 /// The truth draws 16 rays a pixel.
@@ -167,18 +206,22 @@ fn stepped_forming_is_the_listings() {
 
 #[test]
 fn what_has_no_effect_is_told() {
-    let without =
-        |name: &str, flies, forms| named(name).expect("in the table").rules.without_effect(flies, forms).is_some();
-    for (name, flies, forms, want) in [
-        ("fast", false, false, false),
-        ("crossfade", false, true, true),
-        ("crossfade", true, false, false),
-        ("no-lock", false, false, true),
-        ("no-lock", true, false, false),
-        ("view-plane", false, false, false),
-        ("stepped-mended", true, false, true),
-        ("stepped-mended", false, true, false),
+    let without = |name: &str, moves| named(name).expect("in the table").rules.without_effect(moves).is_some();
+    let still = Movement::default();
+    let [flies, forms, blows] =
+        [Movement { flies: true, ..still }, Movement { forms: true, ..still }, Movement { blows: true, ..still }];
+    for (name, moves, want) in [
+        ("fast", still, false),
+        ("crossfade", forms, true),
+        ("crossfade", flies, false),
+        ("no-lock", still, true),
+        ("no-lock", flies, false),
+        ("view-plane", still, false),
+        ("stepped-mended", flies, true),
+        ("stepped-mended", forms, false),
+        ("stepped-wind", forms, true),
+        ("stepped-wind", blows, false),
     ] {
-        assert_eq!(without(name, flies, forms), want, "{name}");
+        assert_eq!(without(name, moves), want, "{name} {moves:?}");
     }
 }

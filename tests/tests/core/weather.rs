@@ -75,17 +75,17 @@ fn heights_grow_from_the_bottom() {
             let cloud = &frame.now.clouds[0];
             let (bottom, rest) = (cloud.placed.bottom, seen(&heap(30), Moment::default(), at_rest, |f| f.view.eye));
             assert_eq!(frame.view.eye, rest);
-            for sprite in cloud.placed.sprites.iter() {
-                let now = cloud.position_now(sprite);
+            for (index, sprite) in cloud.placed.sprites.iter().enumerate() {
+                let now = cloud.sprite_now(index).position;
                 let height = 2.0 * (sprite.position.y - bottom);
                 assert!((now.y - bottom - height).abs() <= 1e-4 * height, "{now} of {}", sprite.position);
                 assert_eq!((now.x, now.z), (sprite.position.x, sprite.position.z));
             }
             // The sphere that the view asks for holds them all.
             for drawn in &frame.list.sprites {
-                let sprite = &cloud.placed.sprites[drawn.sprite as usize];
-                let from_center = cloud.position_now(sprite).distance(cloud.center_now());
-                assert!(from_center + sprite.reach() <= cloud.placed.reach * cloud.stretch() * 1.0001);
+                let sprite = cloud.sprite_now(drawn.sprite as usize);
+                let from_center = sprite.position.distance(cloud.center_now());
+                assert!(from_center + sprite.reach() <= cloud.reach_now() * 1.0001);
             }
         },
     );
@@ -97,9 +97,9 @@ fn what_is_at_rest_is_where_it_was_placed() {
     seen(&heap(30), Moment::at(7.5), at_rest, |frame| {
         let cloud = &frame.now.clouds[0];
         assert_eq!(cloud.origin(), cloud.placed.origin);
-        for sprite in cloud.placed.sprites.iter() {
+        for (index, sprite) in cloud.placed.sprites.iter().enumerate() {
             assert_eq!(
-                cloud.position_now(sprite).to_array().map(f32::to_bits),
+                cloud.sprite_now(index).position.to_array().map(f32::to_bits),
                 sprite.position.to_array().map(f32::to_bits)
             );
         }

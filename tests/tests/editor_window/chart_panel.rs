@@ -7,7 +7,7 @@ use crate::tools::opened;
 use cloudwright::command::Command;
 use cloudwright::state::Lens;
 use cloudwright_core::method::{self, METHODS};
-use cloudwright_core::rules::Rasterizer;
+use cloudwright_core::rules::{Movement, Rasterizer};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, PointerButton, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -66,7 +66,8 @@ fn measures_off_the_frame_and_changes_nothing() {
     // All that make a difference in a still, and that need no adapter.
     let made = |method: &&method::Method| {
         let rules = &method.rules;
-        rules.without_effect(false, false).is_none() && !matches!(rules.rasterizer, Rasterizer::Gpu | Rasterizer::Plain)
+        rules.without_effect(Movement::default()).is_none()
+            && !matches!(rules.rasterizer, Rasterizer::Gpu | Rasterizer::Plain)
     };
     for method in METHODS.iter().filter(made) {
         assert!(window.has(Role::Button, method.name), "{}", method.name);

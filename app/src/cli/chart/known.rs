@@ -12,7 +12,7 @@ use std::path::Path;
 /// No report is larger, bytes.
 const MAX_BYTES: usize = 64 << 20;
 
-/// Tells what is drawn from anything else: the scene's file, its atlas, the time of day, and who draws.
+/// Tells what is drawn from anything else: the scene's file, its atlas, the moment, and who draws.
 pub(super) fn input(scene: &Path, subject: &Subject<'_>) -> Result<String, Failure> {
     let mut hasher = DefaultHasher::new();
     env!("CARGO_PKG_VERSION").hash(&mut hasher);
@@ -20,6 +20,7 @@ pub(super) fn input(scene: &Path, subject: &Subject<'_>) -> Result<String, Failu
     for tile in 0..cloudwright_core::sprites::TILES {
         subject.atlas.level(tile, 0).texels.hash(&mut hasher);
     }
+    subject.sight.moment.clock_s.to_bits().hash(&mut hasher);
     subject.sight.moment.time_h.unwrap_or(subject.scene.time_of_day_h).to_bits().hash(&mut hasher);
     Ok(format!("{:016x}", hasher.finish()))
 }

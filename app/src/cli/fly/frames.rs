@@ -3,7 +3,7 @@
 use crate::cli::counted;
 use crate::cli::failure::Failure;
 use crate::storage::{self, Folder, StorageError};
-use cloudwright_core::scene::{CameraPath, Scene};
+use cloudwright_core::scene::{Camera, Scene, Thing};
 use std::io::Cursor;
 use std::ops::Range;
 use std::path::PathBuf;
@@ -14,8 +14,8 @@ const MAX_FRAME_BYTES: usize = 1 << 30;
 /// Where the frames of one run lie.
 pub(super) struct Frames {
     pub(super) folder: PathBuf,
-    /// Of the flight, fit for a file's name, and no other flight's of the scene.
-    pub(super) path_name: String,
+    /// Of path or camera, fit for a file's name, and no other's of the scene.
+    pub(super) name: String,
     /// Width and height, pixels.
     pub(super) size: [u32; 2],
     pub(super) numbers: Range<u32>,
@@ -23,13 +23,13 @@ pub(super) struct Frames {
 
 impl Frames {
     pub(super) fn file(&self, number: u32) -> PathBuf {
-        self.folder.join(format!("{}_{number:05}.png", self.path_name))
+        self.folder.join(format!("{}_{number:05}.png", self.name))
     }
 
     /// Those that lie there already, from whatever run.
     pub(super) fn there(&self) -> Vec<PathBuf> {
         // On some disks a name in other letters, small or large, is the same.
-        let prefix = format!("{}_", self.path_name).to_lowercase();
+        let prefix = format!("{}_", self.name).to_lowercase();
         let is_frame = |name: &PathBuf| {
             let name = name.to_string_lossy().to_lowercase();
             let number = name.strip_prefix(&prefix).and_then(|rest| rest.strip_suffix(".png")?.parse().ok());
@@ -75,15 +75,19 @@ pub(super) fn chosen(asked: Option<Range<u32>>, duration_s: f64, fps: u32) -> Re
     // A path of 0.7 s has a frame at its end at any rate that meets it, whatever 0.7 × 30 is in binary.
     let last = (duration_s * f64::from(fps) + 1e-6).floor();
     if last >= f64::from(u32::MAX) {
-        return Err(Failure::argument(format!("the flight has {last} frames"), "lower --fps, or shorten the path"));
+        return Err(Failure::argument(
+            format!("there are {last} frames"),
+            "lower --fps, or shorten the path or --seconds",
+        ));
     }
     let count = last as u32 + 1;
     match asked {
         Some(range) if range.end > count => Err(Failure::argument(
             format!(
-                "--frames {}..{}: the flight has {} at --fps {fps}",
+                "--frames {}..{}: at --fps {fps} there {} {}",
                 range.start,
                 range.end,
+                if count == 1 { "is" } else { "are" },
                 counted(count as usize, "frame", "frames")
             ),
             format!("stay within 0..{count}"),
@@ -93,32 +97,33 @@ pub(super) fn chosen(asked: Option<Range<u32>>, duration_s: f64, fps: u32) -> Re
     }
 }
 
-/// A path's name as a part of files' names, on any system: another one for each path of `scene`, for one that would share
-/// the name of an earlier one is numbered.
-pub(super) fn file_name_of(path: &CameraPath, scene: &Scene) -> String {
+/// The name of a path or camera of `scene` as a part of files' names, on any system: another one for each of them, for one
+/// that would share the name of an earlier one is numbered.
+pub(super) fn file_name_of(thing: Thing, scene: &Scene) -> String {
+    let paths = scene.paths.iter().map(|path| (Thing::Path(path.id), plain_name(&path.name)));
+    let still = |camera: &Camera| (Thing::Camera(camera.id), format!("still_{}", plain_name(&camera.name)));
     let mut taken: Vec<String> = Vec::new();
-    for one in scene.paths.iter() {
-        let plain = plain_name(&one.name);
+    for (one, plain) in paths.chain(scene.cameras.iter().map(still)) {
         let numbered = (2..).map(|number| format!("{plain}-{number}"));
         let is_free = |name: &String| !taken.contains(&name.to_lowercase());
         let name = std::iter::once(plain.clone()).chain(numbered).find(is_free).unwrap_or_default();
-        if one.id == path.id {
+        if one == thing {
             return name;
         }
         taken.push(name.to_lowercase());
     }
-    plain_name(&path.name)
+    plain_name("")
 }
 
-fn plain_name(path_name: &str) -> String {
-    let name: String = path_name.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
+fn plain_name(name: &str) -> String {
+    let name: String = name.chars().map(|c| if c.is_alphanumeric() || c == '-' { c } else { '_' }).collect();
     if name.is_empty() { "path".into() } else { name }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cloudwright_core::scene::PathId;
+    use cloudwright_core::scene::{CameraId, CameraPath, PathId};
 
     #[test]
     fn ranges() {
@@ -142,13 +147,28 @@ mod tests {
 
     #[test]
     fn each_path_has_a_name_of_its_own() {
-        let names = ["through", "a/b %d:c", "..", "", "a_b__d_c", "A_B__D_C", "a_b__d_c-2", "path", "through"];
+        let names =
+            ["through", "a/b %d:c", "..", "", "a_b__d_c", "A_B__D_C", "a_b__d_c-2", "path", "through", "still/main"];
         let path = |(id, &name): (u64, &&str)| CameraPath::new(PathId(id), name, Vec::new());
         let paths = (1..).zip(&names).map(path).collect();
-        let scene = Scene { paths, ..Scene::default() };
-        let found: Vec<String> = scene.paths.iter().map(|path| file_name_of(path, &scene)).collect();
-        let wanted =
-            ["through", "a_b__d_c", "__", "path", "a_b__d_c-2", "A_B__D_C-3", "a_b__d_c-2-2", "path-2", "through-2"];
+        let camera = |(id, name): (u64, &str)| Camera::new(CameraId(id), name, glam::DVec3::ZERO);
+        let cameras = [(50, "main"), (51, "a/b"), (52, "A_B")].map(camera).into_iter().collect();
+        let scene = Scene { paths, cameras, ..Scene::default() };
+        let found: Vec<String> = scene.paths.iter().map(|path| file_name_of(Thing::Path(path.id), &scene)).collect();
+        let stills = [50, 51, 52].map(|id| file_name_of(Thing::Camera(CameraId(id)), &scene));
+        assert_eq!(stills, ["still_main-2", "still_a_b", "still_A_B-2"], "beside a path “still/main”");
+        let wanted = [
+            "through",
+            "a_b__d_c",
+            "__",
+            "path",
+            "a_b__d_c-2",
+            "A_B__D_C-3",
+            "a_b__d_c-2-2",
+            "path-2",
+            "through-2",
+            "still_main",
+        ];
         assert_eq!(found, wanted);
     }
 }

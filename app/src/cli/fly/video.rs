@@ -35,7 +35,7 @@ pub(super) fn frames_folder(output: &Path) -> PathBuf {
 
 /// Makes `output` of frames that are all there.
 pub(super) fn write(output: &Path, frames: &Frames, fps: u32) -> Result<(), Failure> {
-    let words = ffmpeg_words(&frames.path_name, &frames.numbers, fps);
+    let words = ffmpeg_words(&frames.name, &frames.numbers, fps);
     let by_hand = || {
         let name = output.file_name().unwrap_or_default().to_string_lossy();
         let folder = frames.folder.display();
@@ -69,9 +69,9 @@ fn say_done(output: &Path) {
     crate::cli::say(&format!("video: {}", output.display()));
 }
 
-fn ffmpeg_words(path_name: &str, numbers: &Range<u32>, fps: u32) -> Vec<String> {
+fn ffmpeg_words(name: &str, numbers: &Range<u32>, fps: u32) -> Vec<String> {
     let (first, count) = (numbers.start.to_string(), numbers.len().to_string());
-    let (fps, pattern) = (fps.to_string(), format!("{path_name}_%05d.png"));
+    let (fps, pattern) = (fps.to_string(), format!("{name}_%05d.png"));
     [
         "-framerate",
         &fps,

@@ -258,7 +258,7 @@ impl Sheet<'_, '_> {
 pub(super) fn curve_of(track: &Track, target: &Target, reading: &Reading<'_>) -> Option<Arc<Curve>> {
     let known = reading.session.derived().timeline().curve(target.owner, target.property.path);
     let fits = track.keys.iter().all(|key| key.value.parts().len() == target.parts()) && !track.keys.is_empty();
-    known.cloned().or_else(|| fits.then(|| Arc::new(Curve::new(track, target.turns()))))
+    known.cloned().or_else(|| fits.then(|| Arc::new(Curve::of(track, target))))
 }
 
 /// The keys of some of the found tracks that stand at a time, or so near that they are drawn as one with it.

@@ -124,7 +124,7 @@ pub(super) fn seconds(time_s: f64) -> String {
 mod tests {
     use super::*;
 
-    const SPAN: Span = Span { x: Rangef::new(100.0, 300.0), times_s: [-10.0, 30.0] };
+    const SPAN: Span = Span { x: Rangef { min: 100.0, max: 300.0 }, times_s: [-10.0, 30.0] };
 
     #[test]
     fn zoom_and_pan_keep_what_is_under_the_pointer() {

@@ -66,8 +66,10 @@ fn slope_of_cubic(curve: &Curve, part: usize, [from, to]: [f64; 2], at_start: bo
 }
 
 fn curve_of(track: &Track) -> Curve {
-    let turns = track.property.parse::<Target>().is_ok_and(|target| target.turns());
-    Curve::new(track, turns)
+    match track.property.parse::<Target>() {
+        Ok(target) => Curve::of(track, &target),
+        Err(_) => Curve::new(track, false),
+    }
 }
 
 impl KeyValue {

@@ -5,7 +5,8 @@ const DATA_ROW_BITS = 11u;
 const SPRITE_TEXELS = 2u;
 const GROUP_TEXELS = 2u;
 const CLOUD_TEXELS = 8u;
-const MOMENT_TEXELS = 2u;
+const MOMENT_TEXELS = 3u;
+const STIR_TEXELS = 1u;
 const POSE_TEXELS = 2u;
 // In place of a pose: the sprite simply faces the eye.
 const FACES_EYE = 0xffffffffu;
@@ -13,9 +14,12 @@ const FACES_EYE = 0xffffffffu;
 @group(1) @binding(0) var sprite_data: texture_2d<u32>;
 @group(1) @binding(1) var group_data: texture_2d<u32>;
 @group(1) @binding(2) var cloud_data: texture_2d<u32>;
-// Written every frame: of each cloud where it lies from the eye, how far it has formed and how it has grown; the sprites near the eye.
+// Written every frame: of each cloud where it lies from the eye, how far it has formed, how it has grown and turned; the
+// sprites near the eye.
 @group(1) @binding(3) var moment_data: texture_2d<u32>;
 @group(1) @binding(4) var pose_data: texture_2d<u32>;
+// What the air makes of each sprite; of a scene without weather there is none.
+@group(1) @binding(7) var stir_data: texture_2d<u32>;
 
 struct Sprite {
     position: vec3f,
@@ -52,6 +56,20 @@ struct Moment {
     formed_falloff: f32,
     growth: f32,
     opacity: f32,
+    scale: f32,
+    // Sine and cosine, counter-clockwise from above.
+    turn: vec2f,
+    // How far edges can be carried, metres; negative in air that carries nothing.
+    reach_m: f32,
+}
+
+// core/src/sprites/stir.rs.
+struct Stir {
+    looseness: f32,
+    threshold: f32,
+    turn: f32,
+    sway: f32,
+    phases: vec3f,
 }
 
 struct Pose {
@@ -103,7 +121,15 @@ fn load_cloud(index: u32) -> Cloud {
 fn load_moment(cloud: u32) -> Moment {
     let first = load(moment_data, cloud * MOMENT_TEXELS);
     let second = load(moment_data, cloud * MOMENT_TEXELS + 1u);
-    return Moment(first.xyz, first.w, second.x, second.y, second.z);
+    let third = load(moment_data, cloud * MOMENT_TEXELS + 2u);
+    return Moment(first.xyz, first.w, second.x, second.y, second.z, second.w, third.xy, third.z);
+}
+
+fn load_stir(sprite: u32) -> Stir {
+    let bits = load_bits(stir_data, sprite * STIR_TEXELS);
+    let shares = unpack2x16snorm(bits.z);
+    let phases = vec3u(bits.w, bits.w >> 10u, bits.w >> 20u) & vec3u(1023u);
+    return Stir(bitcast<f32>(bits.x), bitcast<f32>(bits.y), shares.x, shares.y, vec3f(phases) / 1024.0);
 }
 
 fn load_pose(index: u32) -> Pose {

@@ -47,6 +47,7 @@ impl SpritesPass {
                     ty: wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering),
                     count: None,
                 },
+                data_entry(7),
             ],
         });
         // Clamped to the edge, which is clear at every level.
@@ -90,6 +91,8 @@ impl SpritesPass {
             .map(|(view, binding)| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 6, resource: wgpu::BindingResource::Sampler(&self.sampler) });
+        let stirs = wgpu::BindingResource::TextureView(&clouds.stirs.view);
+        entries.push(wgpu::BindGroupEntry { binding: 7, resource: stirs });
         gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("sprites"),
             layout: &self.layout,
@@ -117,7 +120,6 @@ impl SpritesPass {
         models: Option<&wgpu::BindGroup>,
         timestamps: Option<wgpu::RenderPassTimestampWrites<'_>>,
     ) {
-        // Also drawn where there are none: software OpenGL now and then skips the clearing of a pass without a draw.
         let mut pass = begin(encoder, "sprites", target, load, None, timestamps);
         pass.set_pipeline(if models.is_some() { &self.among_models } else { &self.pipeline });
         if let Some(models) = models {

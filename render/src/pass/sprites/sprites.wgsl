@@ -7,6 +7,9 @@
 const TILE_SIZE: f32 = 128.0;
 const LAST_MIP: f32 = 4.0;
 const BRIGHTEST: f32 = 60000.0;
+// core/src/weather/air.rs.
+const CONDENSING: f32 = 0.08;
+const SWAY: f32 = 0.1;
 
 @group(1) @binding(5) var atlas: texture_2d_array<f32>;
 @group(1) @binding(6) var atlas_sampler: sampler;
@@ -34,9 +37,10 @@ fn place_corner(
 ) -> Corner {
     let cloud = load_cloud(instance.x);
     let moment = load_moment(instance.x);
-    let sprite = load_sprite(instance.y);
-    let group = load_group(sprite.group);
-    let center = moment.from_eye + position_now(sprite.position, cloud, moment);
+    let rest = load_sprite(instance.y);
+    let group = load_group(rest.group);
+    let sprite = sprite_now(rest, instance.y, cloud, moment);
+    let center = moment.from_eye + sprite.position;
 
     let pose = pose_of(instance.z, center);
     let facing = turned(pose, sprite.rotation);
@@ -45,11 +49,13 @@ fn place_corner(
 
     let distance_m = length(center);
     let hazed = haze_share(distance_m);
-    let shown = vec4f(vec3f(1.0 - hazed), pose.fade);
-    let top_left = shown * corner_light(sprite.position - to_right + to_top, cloud, moment, group);
-    let top_right = shown * corner_light(sprite.position + to_right + to_top, cloud, moment, group);
-    let bottom_left = shown * corner_light(sprite.position - to_right - to_top, cloud, moment, group);
-    let bottom_right = shown * corner_light(sprite.position + to_right - to_top, cloud, moment, group);
+    let shown = vec4f(vec3f(1.0 - hazed), pose.fade * condensed(instance.y, moment));
+    let right_at_rest = at_rest(to_right, moment) / moment.scale;
+    let top_at_rest = at_rest(to_top, moment) / moment.scale;
+    let top_left = shown * corner_light(rest.position - right_at_rest + top_at_rest, cloud, moment, group);
+    let top_right = shown * corner_light(rest.position + right_at_rest + top_at_rest, cloud, moment, group);
+    let bottom_left = shown * corner_light(rest.position - right_at_rest - top_at_rest, cloud, moment, group);
+    let bottom_right = shown * corner_light(rest.position + right_at_rest - top_at_rest, cloud, moment, group);
 
     let uv = vec2f(f32(corner_index & 1u), f32(corner_index >> 1u));
     var out: Corner;
@@ -137,15 +143,65 @@ fn upright_across(to_eye: vec3f) -> vec3f {
     return unit_or(world * (1.0 - pole) + camera * pole, fallback);
 }
 
-// Where a point of the cloud is now (core/src/weather/cloud_now.rs): at rest what is added is zero.
-fn position_now(point: vec3f, cloud: Cloud, moment: Moment) -> vec3f {
-    return point + vec3f(0.0, (point.y - cloud.bottom) * (moment.growth - 1.0), 0.0);
+// A sprite as it is now (core/src/weather/cloud_now.rs, air.rs): at rest what is added is zero.
+fn sprite_now(rest: Sprite, index: u32, cloud: Cloud, moment: Moment) -> Sprite {
+    var now = rest;
+    let grown = rest.position + vec3f(0.0, (rest.position.y - cloud.bottom) * (moment.growth - 1.0), 0.0);
+    let turn = moment.turn;
+    now.position =
+        moment.scale * vec3f(turn.y * grown.x + turn.x * grown.z, grown.y, turn.y * grown.z - turn.x * grown.x);
+    now.width = rest.width * moment.scale;
+    now.height = rest.height * moment.scale;
+    if moment.reach_m >= 0.0 {
+        let stir = load_stir(index);
+        let height = height_within(cloud, rest.position.y);
+        let lean = (frame.air_lean + frame.air_lean_shear * (height - 0.5)) * (stir.looseness * moment.reach_m);
+        let swings = frame.air_swings + stir.phases;
+        let sway = frame.air_turbulence * stir.sway * SWAY * min(now.width, now.height);
+        now.position += lean + vec3f(sine(swings.x), sine(swings.y), sine(swings.z)) * sway;
+        let turns = stir.turn * frame.air_turned;
+        let more = vec2f(sine(turns), sine(turns + 0.25));
+        now.rotation = vec2f(
+            rest.rotation.x * more.y + rest.rotation.y * more.x,
+            rest.rotation.y * more.y - rest.rotation.x * more.x,
+        );
+    }
+    return now;
+}
+
+// How much of a sprite has condensed.
+fn condensed(index: u32, moment: Moment) -> f32 {
+    if moment.reach_m < 0.0 {
+        return 1.0;
+    }
+    let threshold = load_stir(index).threshold;
+    return smoothstep(threshold - CONDENSING, threshold + CONDENSING, frame.air_humidity);
+}
+
+// A direction, as it lies to the cloud at rest.
+fn at_rest(direction: vec3f, moment: Moment) -> vec3f {
+    let turn = moment.turn;
+    return vec3f(
+        turn.y * direction.x - turn.x * direction.z,
+        direction.y,
+        turn.x * direction.x + turn.y * direction.z,
+    );
+}
+
+// The sine of so many whole turns (core/src/weather/air.rs).
+fn sine(turns: f32) -> f32 {
+    let within = turns - floor(turns + 0.5);
+    let folded = select(within, select(-0.5, 0.5, within > 0.0) - within, abs(within) > 0.25);
+    let squared = folded * folded;
+    let high = squared * (-76.70586 + squared * (42.05869 - squared * 15.094643));
+    return folded * (6.2831855 + squared * (-41.3417 + squared * (81.60525 + high)));
 }
 
 // The light at a point that counts from the cloud's origin and is at rest: linear rgb, straight; alpha, as far as the cloud has formed.
 fn corner_light(point: vec3f, cloud: Cloud, moment: Moment, group: Group) -> vec4f {
     let level = level_color(cloud, height_within(cloud, point.y));
-    let directional = frame.directional_max * directional_share(point - group.center, group.c);
+    let sun_direction = at_rest(frame.sun_direction, moment);
+    let directional = frame.directional_max * directional_share(point - group.center, group.c, sun_direction);
     let rgb = level.rgb * frame.ambient_max.rgb + directional;
     let radii = distance(point, cloud.center) * cloud.inverse_radius;
     let formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
@@ -153,8 +209,8 @@ fn corner_light(point: vec3f, cloud: Cloud, moment: Moment, group: Group) -> vec
 }
 
 // g(d), d the cosine between `outward` and the sun: Cmin at −1, Cmed at 0, Cmax at 1.
-fn directional_share(outward: vec3f, c: vec3f) -> f32 {
-    let d = clamp(dot(unit_or(outward, vec3f(0.0)), frame.sun_direction), -1.0, 1.0);
+fn directional_share(outward: vec3f, c: vec3f, sun_direction: vec3f) -> f32 {
+    let d = clamp(dot(unit_or(outward, vec3f(0.0)), sun_direction), -1.0, 1.0);
     return c.y + d * select(c.z - c.y, c.y - c.x, d < 0.0);
 }
 

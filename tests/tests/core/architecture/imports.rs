@@ -3,7 +3,7 @@
 //! An import is a path to an item, in a `use` or in code. It leads to two files: that of the module which the path
 //! names, and through re-exports that which defines the item. A `mod` line and a re-export import nothing; what a module
 //! takes from those that it lies in is left out, since a room may be told apart into files; and so are tests, which
-//! stand at a file's end.
+//! stand at a file's end or in a file `tests.rs`.
 
 use super::words::words;
 use std::collections::{BTreeMap, BTreeSet};
@@ -141,7 +141,7 @@ fn gather(folder: &Path, inside: &str, found: &mut Vec<(String, String)>) {
         let (path, name) = (entry.path(), format!("{inside}{}", entry.file_name().display()));
         if path.is_dir() {
             gather(&path, &format!("{name}/"), found);
-        } else if name.ends_with(".rs") && name != "main.rs" {
+        } else if name.ends_with(".rs") && name != "main.rs" && !name.ends_with("/tests.rs") {
             found.push((name, fs::read_to_string(&path).expect("a source")));
         }
     }
