@@ -36,9 +36,10 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
         let mut chosen = chosen_level(ui.ctx());
         let room = room - (ui.cursor().top() - top) - table::height(ui);
         scale::show(ui, room, reading, &mut levels, &mut chosen);
-        table::show(ui, &mut levels, &mut chosen);
+        let level = chosen;
+        let mut diamond = |ui: &mut Ui, path: &str| keys::show(ui, &models, level, path, reading, actions);
+        table::show(ui, &mut levels, &mut chosen, &mut diamond);
         choose_level(ui.ctx(), chosen);
-        keys::show(ui, &models, chosen, reading, actions);
         let live = ui.input(|input| input.pointer.any_down());
         actions.extend(color_levels::change(reading, &levels, live));
     });

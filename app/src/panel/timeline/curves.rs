@@ -134,7 +134,7 @@ impl Plot {
     fn tint(&self, ui: &Ui, drawn: &Drawn, part: usize) -> Color32 {
         match drawn.target.parts() {
             3 => [theme::AXIS_X, theme::AXIS_Y, theme::AXIS_Z][part.min(2)],
-            _ if self.curves.len() > 1 => tint_of(drawn.id),
+            _ if self.curves.len() > 1 => spot::tint_of(drawn.id),
             _ => theme::key(ui),
         }
     }
@@ -215,11 +215,6 @@ impl Plot {
             spots.push(Spot { at, what: What::Key(place, Some(part)), time_s: key.time_s });
         }
     }
-}
-
-/// Of a track among others.
-pub(super) fn tint_of(track: TrackId) -> Color32 {
-    theme::group_tint(track.0)
 }
 
 /// A number at a scale of that step.

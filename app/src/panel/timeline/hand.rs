@@ -40,11 +40,13 @@ impl Field<'_, '_> {
         let (at, pressed, down, dropped, modifiers) = ui.input(|input| {
             let pointer = &input.pointer;
             let dropped = input.key_pressed(Key::Escape) || pointer.secondary_pressed();
-            (pointer.latest_pos(), pointer.primary_pressed(), pointer.primary_down(), dropped, input.modifiers)
+            // A quick hand may have moved on within the frame.
+            let pressed = pointer.primary_pressed().then(|| pointer.press_origin().or(pointer.latest_pos())).flatten();
+            (pointer.latest_pos(), pressed, pointer.primary_down(), dropped, input.modifiers)
         });
         let Some(at) = at else { return };
-        if pressed && is_over {
-            memory.gesture = self.begin(at, modifiers, actions);
+        if let Some(from) = pressed.filter(|from| is_over && self.rect.contains(*from)) {
+            memory.gesture = self.begin(from, modifiers, actions);
         }
         match memory.gesture.take() {
             Some(Gesture::Keys(held) | Gesture::Slope { held, .. }) if dropped => {

@@ -34,7 +34,8 @@ pub(super) fn show(
         let at = input.pointer.latest_pos().filter(|_| input.pointer.primary_down());
         (at, input.modifiers.shift, input.modifiers.command)
     });
-    let Some(at) = at.filter(|_| response.is_pointer_button_down_on()) else {
+    let clicked = response.interact_pointer_pos().filter(|_| response.clicked() && !shift);
+    let Some(at) = at.filter(|_| response.is_pointer_button_down_on()).or(clicked) else {
         if matches!(memory.gesture, Some(Gesture::Marks(_))) {
             memory.gesture = None;
         }

@@ -130,7 +130,7 @@ impl Sheet<'_, '_> {
         let among_others = self.reading.view.timeline.tracks.len() > 1;
         if is_chosen && among_others && self.keys.is_none() && shown.target.is_some_and(|target| target.parts() == 1) {
             let strip = Rect::from_min_size(rect.min + vec2(8.0, 5.0), vec2(4.0, rect.height() - 10.0));
-            painter.rect_filled(strip, 1.0, super::curves::tint_of(shown.id));
+            painter.rect_filled(strip, 1.0, spot::tint_of(shown.id));
         }
         let color = if is_chosen { ui.visuals().strong_text_color() } else { ui.visuals().text_color() };
         let font = TextStyle::Body.resolve(ui.style());

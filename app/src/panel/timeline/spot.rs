@@ -2,7 +2,7 @@
 
 use crate::theme;
 use cloudwright_core::arrange::keys::KeyPlace;
-use cloudwright_core::scene::{Leaves, TrackKey};
+use cloudwright_core::scene::{Leaves, TrackId, TrackKey};
 use egui::accesskit::Role;
 use egui::{Color32, Id, Painter, Pos2, Rect, Sense, Shape, Stroke, Ui, Vec2, WidgetInfo, vec2};
 use std::ops::Range;
@@ -71,6 +71,11 @@ pub(super) fn shape(painter: &Painter, at: Pos2, leaves: Leaves, radius: f32, fi
             painter.circle(at, radius * 0.95, fill, edge);
         }
     }
+}
+
+/// Of a track's curve among others.
+pub(super) fn tint_of(track: TrackId) -> Color32 {
+    theme::group_tint(track.0)
 }
 
 /// Around a key, chosen or not.

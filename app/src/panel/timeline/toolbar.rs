@@ -9,7 +9,8 @@ use crate::widget::{name_it, number_field};
 use cloudwright_core::arrange::keys::{self, MOST_S};
 use cloudwright_core::property::{Number, Target};
 use cloudwright_core::scene::{Leaves, TrackId};
-use egui::{Button, ComboBox, RichText, Ui};
+use egui::scroll_area::ScrollBarVisibility;
+use egui::{Button, ComboBox, RichText, ScrollArea, Ui};
 
 const TIME: Number = Number {
     label: "Key time",
@@ -20,28 +21,29 @@ const TIME: Number = Number {
 };
 
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    ui.horizontal_wrapped(|ui| {
-        auto_key(ui, reading, actions);
-        let play = if reading.clock.plays() { icon::PAUSE } else { icon::PLAY };
-        for (command, text, on) in [
-            (Command::PreviousKey, icon::SKIP_BACK, false),
-            (Command::PlayFlight, play, false),
-            (Command::NextKey, icon::SKIP_FORWARD, false),
-            (Command::LoopFlight, icon::REPEAT, reading.clock.loops()),
-            (Command::MarkIn, "[", false),
-            (Command::MarkOut, "]", false),
-        ] {
-            button(ui, command, text, on, actions);
-        }
-        ui.separator();
-        button(ui, Command::AddKeys, icon::PLUS, false, actions);
-        button(ui, Command::DeleteKeys, icon::TRASH, false, actions);
-        button(ui, Command::CurveView, icon::CHART_LINE, reading.view.timeline.curves, actions);
-        button(ui, Command::FitTimeline, icon::ARROWS_LEFT_RIGHT, false, actions);
-        snap(ui, reading, actions);
-        ends::show(ui, reading, actions);
-        chosen(ui, reading, actions);
-    });
+    // In one line, whatever is chosen: the keys below are not to move away from the pointer.
+    let line = ScrollArea::horizontal().id_salt("tools").scroll_bar_visibility(ScrollBarVisibility::AlwaysHidden);
+    line.show(ui, |ui| ui.horizontal(|ui| tools(ui, reading, actions)));
+}
+
+fn tools(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    auto_key(ui, reading, actions);
+    let play = if reading.clock.plays() { icon::PAUSE } else { icon::PLAY };
+    for (command, text, on) in [
+        (Command::PreviousKey, icon::SKIP_BACK, false),
+        (Command::PlayFlight, play, false),
+        (Command::NextKey, icon::SKIP_FORWARD, false),
+        (Command::LoopFlight, icon::REPEAT, reading.clock.loops()),
+    ] {
+        button(ui, command, text, on, actions);
+    }
+    ui.separator();
+    button(ui, Command::AddKeys, icon::PLUS, false, actions);
+    button(ui, Command::DeleteKeys, icon::TRASH, false, actions);
+    button(ui, Command::CurveView, icon::CHART_LINE, reading.view.timeline.curves, actions);
+    snap(ui, reading, actions);
+    ends::show(ui, reading, actions);
+    chosen(ui, reading, actions);
 }
 
 /// Red while it is on: what hands change then is kept in keys.
@@ -108,6 +110,14 @@ fn chosen(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         let rekeyed = keys::moved(&scene.tracks, places, time_s - key.time_s);
         actions.push(Action::Keys { name: "Move keys".into(), rekeyed, live, choose: true });
     }
+    let shown = match (key.leaves, &key.handles) {
+        (Leaves::Step, _) => "step",
+        (Leaves::Linear, _) => "straight",
+        (Leaves::Smooth, None) => "smooth",
+        (Leaves::Smooth, Some(_)) => "handles",
+    };
+    let menu = ui.menu_button(shown, |ui| easing_menu(ui, actions));
+    name_it(ui, &menu.response, "How keys are left");
     if let Ok(target) = track.property.parse::<Target>()
         && let Some(number) = target.property.kind.number()
     {
@@ -124,14 +134,6 @@ fn chosen(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
             }
         }
     }
-    let shown = match (key.leaves, &key.handles) {
-        (Leaves::Step, _) => "step",
-        (Leaves::Linear, _) => "straight",
-        (Leaves::Smooth, None) => "smooth",
-        (Leaves::Smooth, Some(_)) => "handles",
-    };
-    let menu = ui.menu_button(shown, |ui| easing_menu(ui, actions));
-    name_it(ui, &menu.response, "How keys are left");
     if places.len() > 1 {
         ui.weak(format!("{} keys", places.len()));
     }
