@@ -14,6 +14,7 @@ mod files;
 mod flight_panel;
 mod flying;
 mod groups;
+mod many_tracks;
 mod off_frame;
 mod on_disk;
 mod paths_in_view;

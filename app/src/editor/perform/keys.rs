@@ -53,7 +53,7 @@ impl Editor {
         let pointed = field_to_key(context);
         let there = pointed.filter(|(_, values)| values.iter().all(|(target, _)| target.owner.is_in(scene)));
         let Some((label, values)) = there else {
-            return self.tell("Point at a value that has a diamond, and key it with Ctrl+K");
+            return self.tell("Point at a value that has a diamond, and do this again");
         };
         let rekeyed = keys::keyed(scene, &values, self.clock.time_s());
         self.change_keys(&format!("Key {}", label.to_lowercase()), rekeyed, false, true);

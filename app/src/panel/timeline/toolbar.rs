@@ -37,9 +37,7 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     ] {
         button(ui, command, text, on, actions);
     }
-    ui.separator();
     button(ui, Command::AddKeys, icon::PLUS, false, actions);
-    button(ui, Command::DeleteKeys, icon::TRASH, false, actions);
     button(ui, Command::CurveView, icon::CHART_LINE, reading.view.timeline.curves, actions);
     snap(ui, reading, actions);
     ends::show(ui, reading, actions);
@@ -103,7 +101,7 @@ fn chosen(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     };
     let first = places.iter().filter_map(key_at).min_by(|(_, a), (_, b)| a.time_s.total_cmp(&b.time_s));
     let Some((track, key)) = first else { return };
-    ui.separator();
+    ui.add_space(theme::GAP * 0.5);
     let live = ui.input(|input| input.pointer.any_down());
     let mut time_s = key.time_s;
     if number_field(ui, TIME.label, &TIME, &mut time_s, false) {
