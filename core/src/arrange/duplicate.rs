@@ -84,6 +84,7 @@ pub fn make_own(scene: &Scene, ids: &[CloudId]) -> Arrangement {
 pub fn boxes(scene: &Scene, model: ModelId, ids: &[BoxId], offset: DVec3) -> Arrangement {
     let mut plan = Plan::new(scene);
     let Some(model) = scene.model(model) else { return plan.done() };
+    let mut copied = Copied::default();
     for old in chosen(&model.boxes, ids) {
         let (_, copies) = copy_parts([], [old], &mut plan.next_id);
         for mut new in copies {
@@ -91,10 +92,12 @@ pub fn boxes(scene: &Scene, model: ModelId, ids: &[BoxId], offset: DVec3) -> Arr
             // Within one model, the groups stay.
             new.group = old.group;
             new.sprite_edits.clone_from(&old.sprite_edits);
+            copied.thing(Thing::Box(model.id, old.id), Thing::Box(model.id, new.id));
             plan.made.push(Thing::Box(model.id, new.id));
             plan.edits.push(Edit::Box(model.id, at_end(new)));
         }
     }
+    copied.insert_tracks(&mut plan, DVec3::ZERO);
     plan.done()
 }
 

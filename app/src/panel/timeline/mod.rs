@@ -3,6 +3,7 @@
 //! What is in sight is the panel's own memory; what is chosen is view state, since commands work on it. Keys that select,
 //! copy or delete are about the timeline while the pointer is over it.
 
+mod bands;
 mod curves;
 mod ends;
 mod hand;

@@ -2,23 +2,21 @@
 //!
 //! Only what is in sight is laid out: the lines by their number, the keys of a line by a search for the first and the last.
 
+use super::bands;
 use super::lines::{Group, Line, Lines, Shown};
 use super::span::{Span, seconds};
 use super::spot::{self, Spot, What};
 use crate::state::{Action, Choose, Reading, TimelineChange};
 use crate::theme;
-use crate::widget::{color32, name_button};
-use cloudwright_core::color::{Rgb, Rgba};
+use crate::widget::name_button;
 use cloudwright_core::property::{Kind, Target};
 use cloudwright_core::scene::{KeyValue, Track, TrackId, TrackKey};
 use cloudwright_core::weather::Curve;
-use egui::{Align2, Color32, FontId, Mesh, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
+use egui::{Align2, FontId, Rect, Sense, Stroke, TextStyle, Ui, pos2, vec2};
 use std::sync::Arc;
 
 /// Of a line, points.
 pub(super) const LINE: f32 = 20.0;
-/// Between two samples of a ramp, points.
-const SAMPLE: f32 = 3.0;
 /// Of a group's line, keys nearer to one another than this are drawn as one, points.
 const MERGED: f32 = 2.0;
 
@@ -150,7 +148,7 @@ impl Sheet<'_, '_> {
         let numbers = curve.all_at(self.reading.clock.time_s());
         if matches!(target.property.kind, Kind::Color(_)) {
             let swatch = Rect::from_center_size(right - vec2(8.0, 0.0), vec2(16.0, 10.0));
-            ui.painter().rect_filled(swatch, 2.0, color_of(numbers));
+            ui.painter().rect_filled(swatch, 2.0, bands::color_of(numbers));
             return swatch.left();
         }
         if target.parts() > 1 {
@@ -179,7 +177,7 @@ impl Sheet<'_, '_> {
             let place = (track.id, index);
             let is_chosen = self.reading.view.timeline.chosen.contains(&place);
             let fill = match key.value {
-                KeyValue::Three(numbers) if is_color => color_of(numbers),
+                KeyValue::Three(numbers) if is_color => bands::color_of(numbers),
                 _ if is_chosen => theme::CHOSEN,
                 _ => theme::key(ui),
             };
@@ -192,31 +190,10 @@ impl Sheet<'_, '_> {
         }
     }
 
-    /// What lies between the keys: a colour's colours, the ramp of a share, or a line.
+    /// What lies between the keys.
     fn between(&self, ui: &Ui, rect: Rect, span: &Span, shown: &Shown, track: &Track) {
-        let (Some(target), Some(curve)) = (shown.target, self.curve(shown)) else { return };
-        let (Some(first), Some(last)) = (track.keys.first(), track.keys.last()) else { return };
-        let band = rect.shrink2(vec2(0.0, 3.0));
-        let ends = [span.x_of(first.time_s), span.x_of(last.time_s)];
-        let kind = target.property.kind;
-        if matches!(kind, Kind::Color(_)) {
-            samples(band, ends, |left, right| {
-                let color = color_of(curve.all_at(span.time_at((left + right) * 0.5)));
-                (Rect::from_x_y_ranges(left..=right, band.y_range()), color)
-            })
-            .paint(ui);
-        } else if kind.number().is_some_and(|number| number.min == 0.0 && number.max == 1.0) {
-            let color = theme::key(ui).gamma_multiply(0.25);
-            samples(band, [rect.left(), rect.right()], |left, right| {
-                let share = curve.at(span.time_at((left + right) * 0.5), 0).clamp(0.0, 1.0) as f32;
-                let top = band.bottom() - share * band.height();
-                (Rect::from_x_y_ranges(left..=right, top..=band.bottom()), color)
-            })
-            .paint(ui);
-        } else {
-            let [from, to] = ends.map(|x| x.clamp(rect.left(), rect.right()));
-            let color = theme::key(ui).gamma_multiply(0.35);
-            ui.painter().hline(from..=to, rect.center().y, Stroke::new(2.0, color));
+        if let (Some(target), Some(curve)) = (shown.target, self.curve(shown)) {
+            bands::show(ui, rect, span, &target, &curve, track);
         }
     }
 
@@ -283,36 +260,6 @@ pub(super) fn in_sight<'k>(keys: &'k [TrackKey], span: &Span) -> impl Iterator<I
     let from = keys.partition_point(|key| key.time_s < span.times_s[0] - margin_s);
     let to = keys.partition_point(|key| key.time_s <= span.times_s[1] + margin_s);
     keys.iter().enumerate().take(to).skip(from)
-}
-
-/// What a colour of a track looks like: linear light as the screen shows it.
-fn color_of(numbers: [f64; 3]) -> Color32 {
-    let [r, g, b] = numbers.map(|number| number.max(0.0) as f32);
-    color32(Rgba { rgb: Rgb::new(r, g, b), a: 1.0 })
-}
-
-/// Columns of a band.
-struct Columns(Mesh);
-
-fn samples(band: Rect, [from, to]: [f32; 2], column: impl Fn(f32, f32) -> (Rect, Color32)) -> Columns {
-    let mut mesh = Mesh::default();
-    let mut left = from.max(band.left());
-    let end = to.min(band.right());
-    while left < end {
-        let right = (left + SAMPLE).min(end);
-        let (rect, color) = column(left, right);
-        mesh.add_colored_rect(rect, color);
-        left = right;
-    }
-    Columns(mesh)
-}
-
-impl Columns {
-    fn paint(self, ui: &Ui) {
-        if !self.0.is_empty() {
-            ui.painter().add(self.0);
-        }
-    }
 }
 
 /// Where a target's numbers are named: "x".
