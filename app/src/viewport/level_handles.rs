@@ -4,6 +4,7 @@
 //! It shows while the panel of colour levels does. A cloud that the view looks down on, or that is too small to take a
 //! handle of, has none.
 
+use super::places::Places;
 use crate::state::{Action, Reading, color_levels};
 use crate::theme;
 use crate::widget::{Handle, LEVEL_STEP, choose_level, chosen_level, color32};
@@ -32,7 +33,10 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
     let Some((cloud, model)) = placed.and_then(|cloud| reading.session.placed(cloud.id)).zip(model) else {
         return;
     };
-    let Some(scale) = Scale::new(cloud, view, rect) else { return };
+    // The eye stands to the cloud at rest as it does to the cloud where it is seen.
+    let carried = placed.map_or(cloud.origin, |placed| Places::of(reading).middle(placed)) - cloud.origin;
+    let view = View { eye: view.eye - carried, ..*view };
+    let Some(scale) = Scale::new(cloud, &view, rect) else { return };
     let painter = ui.painter_at(rect);
     painter.line_segment([scale.bottom, scale.top], Stroke::new(3.0, theme::VIEWPORT_SHADE));
     painter.line_segment([scale.bottom, scale.top], Stroke::new(1.0, theme::VIEWPORT_TEXT));

@@ -28,6 +28,11 @@ impl Window {
         self.settle();
     }
 
+    /// What a diamond says.
+    fn diamond(&self, name: &str) -> String {
+        self.node(Role::Button, name).accesskit_node().value().expect("words")
+    }
+
     fn number(&self, label: &str) -> f64 {
         self.node(Role::SpinButton, label).accesskit_node().numeric_value().expect("a number")
     }
@@ -88,11 +93,16 @@ fn a_place_and_the_exposure_are_keyed_by_their_diamonds() {
     window.set("Position x", cloud.position.x + 800.0);
     let property = format!("cloud/{}/position", cloud.id);
     assert_eq!((window.times(&property), window.number("Position x")), (vec![0.0], cloud.position.x + 800.0));
+    assert_eq!(window.diamond("Key Position"), "changed since");
+    let shown = window.session().derived().timeline().cloud_at(&window.scene().clouds[0], 10.0);
+    assert_eq!(shown, None, "the picture shows the scene's own place");
     window.ask("Key Position");
     assert_eq!(window.times(&property), [0.0, 10.0]);
+    assert_eq!(window.diamond("Key Position"), "keyed here");
     let moved = KeyValue::Three([cloud.position.x + 800.0, cloud.position.y, cloud.position.z]);
     assert_eq!(window.track(&property).keys[1].value, moved);
     window.put_timeline(5.0);
+    assert_eq!(window.diamond("Key Position"), "keyed elsewhere");
     assert!((window.number("Position x") - cloud.position.x - 400.0).abs() < 1e-6, "half way");
     let now = window.session().derived().timeline().cloud_at(&window.scene().clouds[0], 5.0).expect("it moves");
     assert!((now.position.x - cloud.position.x - 400.0).abs() < 1e-6);

@@ -25,6 +25,10 @@ pub(super) fn show(ui: &Ui, rect: Rect, span: &Span, target: &Target, curve: &Cu
             (Rect::from_x_y_ranges(left..=right, band.y_range()), color)
         })
         .paint(ui);
+        let rim = ui.visuals().widgets.noninteractive.bg_stroke;
+        let [from, to] = ends.map(|x| x.clamp(rect.left(), rect.right()));
+        ui.painter().hline(from..=to, band.top(), rim);
+        ui.painter().hline(from..=to, band.bottom(), rim);
     } else if kind.number().is_some_and(|number| number.min == 0.0 && number.max == 1.0) {
         let color = theme::key(ui).gamma_multiply(0.25);
         samples(band, [rect.left(), rect.right()], |left, right| {

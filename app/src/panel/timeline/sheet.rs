@@ -148,7 +148,8 @@ impl Sheet<'_, '_> {
         let numbers = curve.all_at(self.reading.clock.time_s());
         if matches!(target.property.kind, Kind::Color(_)) {
             let swatch = Rect::from_center_size(right - vec2(8.0, 0.0), vec2(16.0, 10.0));
-            ui.painter().rect_filled(swatch, 2.0, bands::color_of(numbers));
+            let rim = Stroke::new(1.0, ui.visuals().weak_text_color());
+            ui.painter().rect(swatch, 2.0, bands::color_of(numbers), rim, egui::StrokeKind::Inside);
             return swatch.left();
         }
         if target.parts() > 1 {
