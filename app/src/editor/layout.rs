@@ -185,6 +185,11 @@ mod tests {
         let saved = layout.to_saved().expect("it can be saved");
         let again = Layout::from_saved(&saved).expect("it is a layout");
         assert_eq!(again.tree, layout.tree);
+        // The timeline comes up below the viewport, and hides nothing.
+        layout.bring_up(Panel::Timeline);
+        assert!([Panel::Viewport, Panel::Timeline, Panel::Inspector].into_iter().all(|panel| layout.shows(panel)));
+        let saved = layout.to_saved().expect("it can be saved");
+        assert_eq!(Layout::from_saved(&saved).expect("it is a layout").tree, layout.tree);
         for bad in [serde_json::json!(null), serde_json::json!({"root": 7}), serde_json::json!([])] {
             assert!(Layout::from_saved(&bad).is_none(), "{bad}");
         }

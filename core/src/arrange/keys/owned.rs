@@ -27,10 +27,7 @@ fn holders(owner: Owner) -> [Option<Thing>; 2] {
 }
 
 /// For each track whose owner has copies, its properties at those, with the track: `copies` tells the copies of an owner.
-pub(in crate::arrange) fn of_copies(
-    scene: &Scene,
-    copies: impl Fn(Owner) -> Vec<Owner>,
-) -> Vec<(Target, &Track)> {
+pub(in crate::arrange) fn of_copies(scene: &Scene, copies: impl Fn(Owner) -> Vec<Owner>) -> Vec<(Target, &Track)> {
     let targets = scene.tracks.iter().filter_map(|track| Some((track.property.parse::<Target>().ok()?, track)));
     let copied = targets.flat_map(|(target, track)| {
         let new = copies(target.owner).into_iter();
