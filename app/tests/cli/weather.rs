@@ -8,7 +8,7 @@ fn key(time_s: f64, value: impl Into<Value>) -> Value {
     json!({ "time_s": time_s, "value": value.into() })
 }
 
-fn track(id: u64, property: &str, keys: Value) -> Value {
+fn track(id: u64, property: &str, keys: &Value) -> Value {
     json!({ "id": id, "property": property, "keys": keys })
 }
 
@@ -29,7 +29,7 @@ fn ids() -> [u64; 2] {
 
 fn turning_camera() -> Value {
     let [camera, _] = ids();
-    track(901, &format!("camera/{camera}/heading_deg"), json!([key(0.0, 0.0), key(2.0, 40.0)]))
+    track(901, &format!("camera/{camera}/heading_deg"), &json!([key(0.0, 0.0), key(2.0, 40.0)]))
 }
 
 fn picture(place: &Place, scene: &str, clock_s: f64) -> Vec<u8> {
@@ -44,10 +44,10 @@ fn picture(place: &Place, scene: &str, clock_s: f64) -> Vec<u8> {
 fn pictures_follow_the_clock_in_any_order() {
     let place = Place::new();
     let [_, cloud] = ids();
-    let sky = track(901, "sky/exposure_ev", json!([key(0.0, 0.0), key(60.0, 2.0)]));
+    let sky = track(901, "sky/exposure_ev", &json!([key(0.0, 0.0), key(60.0, 2.0)]));
     let carried =
-        track(901, &format!("cloud/{cloud}/position"), json!([key(0.0, [-900, 900, 0]), key(60.0, [0, 900, 0])]));
-    let day = track(901, "time_of_day_h", json!([key(0.0, 8.0), key(60.0, 17.0)]));
+        track(901, &format!("cloud/{cloud}/position"), &json!([key(0.0, [-900, 900, 0]), key(60.0, [0, 900, 0])]));
+    let day = track(901, "time_of_day_h", &json!([key(0.0, 8.0), key(60.0, 17.0)]));
     for (name, wind_speed_mps, tracks) in [
         ("wind", 12.0, json!([])),
         ("sky", 0.0, json!([sky])),
@@ -175,7 +175,7 @@ fn info_lists_tracks() {
     let place = Place::new();
     let [camera, cloud] = ids();
     let mut swings =
-        track(902, &format!("cloud/{cloud}/opacity"), json!([key(-2.0, 0.0), key(3.5, 1.0), key(60.0, 0.0)]));
+        track(902, &format!("cloud/{cloud}/opacity"), &json!([key(-2.0, 0.0), key(3.5, 1.0), key(60.0, 0.0)]));
     (swings["before"], swings["after"]) = (json!("swing"), json!("repeat"));
     place.put("moved.cloudscene", &moved(0.0, &json!([turning_camera(), swings])));
     let ran = place.run("info --json moved.cloudscene");
@@ -204,7 +204,7 @@ fn check_knows_broken_tracks() {
     let place = Place::new();
     let [_, cloud] = ids();
     let opacity = format!("cloud/{cloud}/opacity");
-    let of = |property: &str, keys: Value| json!([track(901, property, keys)]);
+    let of = |property: &str, keys: Value| json!([track(901, property, &keys)]);
     for (tracks, wanted) in [
         (
             of("cloud/7", json!([key(0.0, 1.0)])),
@@ -219,7 +219,7 @@ fn check_knows_broken_tracks() {
         (of(&opacity, json!([key(1e300, 0.0)])), "is no time"),
         (of(&opacity, json!([key(0.0, [1, 1, 1])])), "tracks[0].keys[0].value: error: 3 numbers, where"),
         (
-            json!([track(901, &opacity, json!([key(0.0, 1.0)])), track(902, &opacity, json!([key(0.0, 0.0)]))]),
+            json!([track(901, &opacity, &json!([key(0.0, 1.0)])), track(902, &opacity, &json!([key(0.0, 0.0)]))]),
             "tracks[1].property: error: tracks[0] moves",
         ),
     ] {

@@ -16,7 +16,7 @@ macro_rules! edits {
             /// Local civil hours.
             TimeOfDay(f64),
             /// Place and date.
-            Place(Place),
+            Site(Site),
             /// Where the sun comes from.
             Sun(Sun),
             /// Light, air and exposure.
@@ -45,7 +45,7 @@ macro_rules! edits {
                     Self::Name(name) => Self::Name(replace(&mut scene.name, name)),
                     Self::NextId(next) => Self::NextId(replace(&mut scene.next_id, next)),
                     Self::TimeOfDay(hour) => Self::TimeOfDay(replace(&mut scene.time_of_day_h, hour)),
-                    Self::Place(place) => Self::Place(replace(&mut scene.place, place)),
+                    Self::Site(place) => Self::Site(replace(&mut scene.site, place)),
                     Self::Sun(sun) => Self::Sun(replace(&mut scene.sun, sun)),
                     Self::Sky(sky) => Self::Sky(replace(&mut scene.sky, sky)),
                     Self::Weather(weather) => Self::Weather(replace(&mut scene.weather, weather)),
@@ -65,7 +65,7 @@ macro_rules! edits {
                     Self::Name(_) => "Rename scene",
                     Self::NextId(_) => "Take ids",
                     Self::TimeOfDay(_) => "Time of day",
-                    Self::Place(_) => "Place and date",
+                    Self::Site(_) => "Place and date",
                     Self::Sun(_) => "Sun",
                     Self::Sky(_) => "Sky",
                     Self::Weather(_) => "Weather",
@@ -161,7 +161,7 @@ impl Edit {
         match self {
             Self::Ground(_) => change.ground = true,
             Self::Weather(_) => (change.head, change.weather) = (true, true),
-            Self::Name(_) | Self::TimeOfDay(_) | Self::Place(_) | Self::Sun(_) | Self::Sky(_) | Self::Atlas(_) => {
+            Self::Name(_) | Self::TimeOfDay(_) | Self::Site(_) | Self::Sun(_) | Self::Sky(_) | Self::Atlas(_) => {
                 change.head = true;
             }
             Self::NextId(_) => {}
@@ -183,7 +183,7 @@ impl Edit {
             Self::Name(_) => Part::Name,
             Self::NextId(_) => Part::NextId,
             Self::TimeOfDay(_) => Part::TimeOfDay,
-            Self::Place(_) => Part::Place,
+            Self::Site(_) => Part::Site,
             Self::Sun(_) => Part::Sun,
             Self::Sky(_) => Part::Sky,
             Self::Weather(_) => Part::Weather,
@@ -203,7 +203,7 @@ pub(super) enum Part {
     Name,
     NextId,
     TimeOfDay,
-    Place,
+    Site,
     Sun,
     Sky,
     Weather,

@@ -22,7 +22,7 @@ impl Edit {
                     Self::Name(changed.name)
                 }
             }
-            Owner::Place => Self::Place(set.whole(Some(&scene.place))?),
+            Owner::Site => Self::Site(set.whole(Some(&scene.site))?),
             Owner::Sun => Self::Sun(set.whole(Some(&scene.sun))?),
             Owner::Sky => Self::Sky(set.whole(Some(&scene.sky))?),
             Owner::AmbientKey(i) => Self::Sky(set.part(Some(&scene.sky), |sky| sky.ambient.keys.get_mut(i))?),

@@ -51,7 +51,8 @@ pub const FACES_EYE: u32 = u32::MAX;
 
 /// What is drawn for one view, farthest first, in runs.
 ///
-/// Who draws goes by the runs. Measures and the truth go by the sprites alone, whatever stands among them.
+/// Who draws goes by the runs. Measures and the truth go by the sprites alone ([`DrawList::sprites_alone`]), whatever
+/// stands among them.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct DrawList {
     /// Those of all runs, back to front.
@@ -87,7 +88,23 @@ pub struct Choice<'a> {
     pub hidden: &'a Hidden,
 }
 
+/// A list's sprites by themselves, in its order: nothing that stands in for any, and no run's fade.
+#[derive(Debug, Clone, Copy)]
+pub struct SpritesAlone<'a>(&'a [DrawSprite]);
+
+impl<'a> SpritesAlone<'a> {
+    /// Back to front.
+    pub fn in_order(self) -> &'a [DrawSprite] {
+        self.0
+    }
+}
+
 impl DrawList {
+    /// What the truth takes.
+    pub fn sprites_alone(&self) -> SpritesAlone<'_> {
+        SpritesAlone(&self.sprites)
+    }
+
     /// Of sprites alone, back to front, in one run.
     pub fn of_sprites(sprites: Vec<DrawSprite>, poses: Vec<Pose>) -> Self {
         Self { sprites, poses, runs: vec![Run::Sprites { from: 0, fade: 1.0 }] }

@@ -71,7 +71,7 @@ fn check_track(place: Arguments<'_>, track: &Track, scene: &Scene, problems: &mu
 
 fn check_key(place: Arguments<'_>, key: &TrackKey, target: &Target, problems: &mut Vec<Problem>) {
     // NaN is within nothing.
-    if !(key.time_s.abs() <= MAX_TIME_S) {
+    if !(-MAX_TIME_S..=MAX_TIME_S).contains(&key.time_s) {
         let message = format!("{} is no time", key.time_s);
         problems.push(Problem::error(
             format!("{place}.time_s"),

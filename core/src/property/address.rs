@@ -48,7 +48,7 @@ pub struct Table {
 /// Of what is not in lists of the scene.
 const OTHERS: &[Table] = &[
     table::<Scene>("", |_| Some(Owner::Scene)),
-    table::<Place>("place", |_| Some(Owner::Place)),
+    table::<Site>("place", |_| Some(Owner::Site)),
     table::<Sun>("sun", |_| Some(Owner::Sun)),
     table::<Sky>("sky", |_| Some(Owner::Sky)),
     table::<Weather>("weather", |_| Some(Owner::Weather)),

@@ -9,7 +9,7 @@ pub enum Owner {
     /// The scene itself.
     Scene,
     /// Place and date.
-    Place,
+    Site,
     /// The sun.
     Sun,
     /// Light, air and exposure.
@@ -39,7 +39,7 @@ impl Owner {
     /// Whether `scene` has it, and it has values to set: a sun by place and time has none.
     pub fn is_in(self, scene: &Scene) -> bool {
         match self {
-            Self::Scene | Self::Place | Self::Sky | Self::Weather => true,
+            Self::Scene | Self::Site | Self::Sky | Self::Weather => true,
             Self::Sun => scene.sun != Sun::ByPlace,
             Self::AmbientKey(i) => i < scene.sky.ambient.keys.len(),
             Self::DirectionalKey(i) => i < scene.sky.directional.keys.len(),
@@ -69,7 +69,7 @@ impl fmt::Display for Owner {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Scene => Ok(()),
-            Self::Place => write!(f, "place"),
+            Self::Site => write!(f, "place"),
             Self::Sun => write!(f, "sun"),
             Self::Sky => write!(f, "sky"),
             Self::Weather => write!(f, "weather"),

@@ -22,7 +22,7 @@ pub fn change(scene: &mut Scene, owner: Owner, change: &mut impl Change) -> bool
     }
     match owner {
         Owner::Scene => reach!(Some(scene)),
-        Owner::Place => reach!(Some(&mut scene.place)),
+        Owner::Site => reach!(Some(&mut scene.site)),
         Owner::Sun => reach!(Some(&mut scene.sun)),
         Owner::Sky => reach!(Some(&mut scene.sky)),
         Owner::Weather => reach!(Some(&mut scene.weather)),

@@ -4,7 +4,7 @@ use super::described::Described;
 use super::row::{Row, angle, flag, number, numbers, range_of, setting, text};
 use super::setting::{Numbers, Setting, Value};
 use super::{HEADING_DEG, Number, TIME_OF_DAY_H};
-use crate::scene::{Place, Scene, Sun};
+use crate::scene::{Site, Scene, Sun};
 
 impl Described for Scene {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
@@ -17,7 +17,7 @@ const LATITUDE_DEG: Number = Number::new("Latitude", &(-90.0..=90.0), "°", "Nor
 const LONGITUDE_DEG: Number = Number::new("Longitude", &(-180.0..=180.0), "°", "East is positive.");
 const UTC_OFFSET_H: Number = Number::new("UTC offset", &(-14.0..=14.0), "h", "Hours that local time is ahead of UTC.");
 
-impl Described for Place {
+impl Described for Site {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
         numbers!(latitude_deg: number(LATITUDE_DEG)),
         numbers!(longitude_deg: angle(LONGITUDE_DEG)),

@@ -10,7 +10,7 @@ use std::fmt::Arguments;
 /// Shows `visitor` all of `scene` that it enters, in the order of the file.
 pub fn walk(scene: &Scene, visitor: &mut impl Visitor) {
     enter(Owner::Scene, format_args!(""), scene, visitor);
-    enter(Owner::Place, format_args!("place"), &scene.place, visitor);
+    enter(Owner::Site, format_args!("place"), &scene.site, visitor);
     enter(Owner::Sun, format_args!("sun"), &scene.sun, visitor);
     enter(Owner::Sky, format_args!("sky"), &scene.sky, visitor);
     enter(Owner::Weather, format_args!("weather"), &scene.weather, visitor);

@@ -11,7 +11,7 @@ pub mod plain;
 mod prepare;
 pub mod truth;
 
-pub use prepare::{Hit, Linear, ScreenSprite, prepare, prepare_unfaded, trilinear};
+pub use prepare::{Hit, Linear, ScreenSprite, prepare, prepare_alone, trilinear};
 
 use crate::frame::Frame;
 use crate::image::{LinearPicture, Picture};

@@ -6,7 +6,7 @@
 
 use crate::camera::{NEAR_M, View};
 use crate::color::Premultiplied;
-use crate::draw_list::DrawSprite;
+use crate::draw_list::{DrawSprite, SpritesAlone};
 use crate::frame::Frame;
 use crate::posed_sprite::PosedSprite;
 use crate::rules::Filter;
@@ -87,10 +87,10 @@ pub fn prepare(frame: &Frame<'_>) -> Vec<ScreenSprite> {
     on_screen
 }
 
-/// The same, each as if it were drawn alone: no run fades it.
-pub fn prepare_unfaded(frame: &Frame<'_>) -> Vec<ScreenSprite> {
+/// The same of sprites by themselves, each as if it were drawn alone.
+pub fn prepare_alone(frame: &Frame<'_>, sprites: SpritesAlone<'_>) -> Vec<ScreenSprite> {
     let mut on_screen = Vec::new();
-    put_on_screen(frame, &frame.list.sprites, 1.0, &mut on_screen);
+    put_on_screen(frame, sprites.in_order(), 1.0, &mut on_screen);
     on_screen
 }
 

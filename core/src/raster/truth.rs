@@ -6,8 +6,9 @@
 
 use super::bins::{TILE, assemble, map_tiles};
 use super::plain::put_behind;
-use super::{Hit, ScreenSprite, prepare_unfaded};
+use super::{Hit, ScreenSprite, prepare_alone};
 use crate::color::{Premultiplied, Rgb};
+use crate::draw_list::SpritesAlone;
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture};
 use crate::watch::Watch;
@@ -32,8 +33,8 @@ pub fn linear_picture(frame: &Frame<'_>, side: u32, watch: &Watch) -> LinearPict
 /// one). Once `watch` is cancelled, the rest stays black.
 pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, watch: &Watch) -> (LinearPicture, Layer) {
     let (width, height) = (frame.view.width, frame.view.height);
-    let sprites = prepare_unfaded(frame);
-    let places = places_in_scene(frame);
+    let alone = frame.list.sprites_alone();
+    let (sprites, places) = (prepare_alone(frame, alone), places_in_scene(alone));
     let (done, count) =
         (AtomicUsize::new(0), width.div_ceil(TILE as u32) as usize * height.div_ceil(TILE as u32) as usize);
     let drawn = map_tiles(&sprites, width, height, |rect, members| {
@@ -76,8 +77,8 @@ impl Pixel {
 }
 
 /// Of each sprite in the list: its cloud and its number within it, which order fragments at one depth.
-fn places_in_scene(frame: &Frame<'_>) -> Vec<[u32; 2]> {
-    frame.list.sprites.iter().map(|drawn| [drawn.cloud, drawn.sprite]).collect()
+fn places_in_scene(sprites: SpritesAlone<'_>) -> Vec<[u32; 2]> {
+    sprites.in_order().iter().map(|drawn| [drawn.cloud, drawn.sprite]).collect()
 }
 
 /// What a tile's pixels are made from.

@@ -40,7 +40,7 @@ pub use listed::{ForKind, Listed, for_each_kind};
 pub use look::{Ground, Sky, Tuning};
 pub use model::{CloudModel, CullRadius};
 pub use shading_group::{GroupCenter, GroupLight, ShadingGroup};
-pub use sun::{Date, Place, Sun};
+pub use sun::{Date, Site, Sun};
 pub use thing::{InScene, PoseMut, Thing};
 pub use track::{Beyond, Handles, KeyValue, Leaves, Track, TrackKey};
 pub use weather::{Region, Weather};
@@ -60,7 +60,8 @@ pub struct Scene {
     /// Local civil hours in [0, 24).
     pub time_of_day_h: f64,
     /// Where on Earth, and on which day.
-    pub place: Place,
+    #[serde(rename = "place")]
+    pub site: Site,
     /// Where the sun comes from.
     #[serde(default)]
     pub sun: Sun,
@@ -136,7 +137,7 @@ impl Default for Scene {
             name: "Untitled".into(),
             next_id,
             time_of_day_h: 12.0,
-            place: Place::default(),
+            site: Site::default(),
             sun: Sun::default(),
             sky: Sky::default(),
             weather: Weather::default(),

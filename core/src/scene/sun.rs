@@ -8,7 +8,7 @@ use std::str::FromStr;
 /// A place and a day.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
-pub struct Place {
+pub struct Site {
     /// North is positive.
     pub latitude_deg: f64,
     /// East is positive.
@@ -110,7 +110,7 @@ impl JsonSchema for Date {
     }
 }
 
-impl Default for Place {
+impl Default for Site {
     /// Seattle at midsummer, on daylight saving time.
     fn default() -> Self {
         Self {

@@ -181,7 +181,7 @@ impl Timeline {
             name: scene.name.clone(),
             next_id: scene.next_id,
             time_of_day_h: scene.time_of_day_h,
-            place: scene.place.clone(),
+            site: scene.site.clone(),
             sun: scene.sun,
             sky: scene.sky.clone(),
             weather: scene.weather,
@@ -206,7 +206,11 @@ impl Timeline {
         match self.curve(Owner::Scene, "time_of_day_h") {
             Some(curve) => curve.at(clock_s, 0).rem_euclid(24.0),
             None if self.weather.day_speed == 0.0 => scene.time_of_day_h,
-            None => (scene.time_of_day_h + clock_s * self.weather.day_speed / 3600.0).rem_euclid(24.0),
+            None => {
+                let hour = (scene.time_of_day_h + clock_s * self.weather.day_speed / 3600.0).rem_euclid(24.0);
+                // Beyond all time there is no hour.
+                if hour.is_finite() { hour } else { scene.time_of_day_h }
+            }
         }
     }
 

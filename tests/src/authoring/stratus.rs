@@ -53,7 +53,7 @@ pub(super) fn scene() -> Scene {
     scene.sky.haze_length_m = 9_000.0;
     scene.sky.ambient = september_ambient();
     scene.sky.directional = september_sun();
-    scene.place.date.month = 9;
+    scene.site.date.month = 9;
     sketch.camera("main", DVec3::new(-2700.0, 760.0, 2500.0), DVec3::new(600.0, 330.0, -1500.0), 52.0);
     sketch.camera("below", DVec3::new(-1500.0, 90.0, 1900.0), DVec3::new(200.0, 330.0, -600.0), 62.0);
     sketch.camera("sunward", DVec3::new(-2200.0, 560.0, 600.0), DVec3::new(2500.0, 420.0, 300.0), 55.0);

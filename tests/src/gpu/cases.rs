@@ -198,7 +198,7 @@ fn background(name: &'static str, noon: &Case, time_h: f64) -> Case {
     let mut case = noon.seen(name, [12_345.0, 700.0, -54_321.0], |camera| camera.field_of_view_deg = 100.0);
     case.scene.clouds.clear();
     case.time_h = time_h;
-    let to_sun = cloudwright_core::weather::sun_direction(case.scene.sun, &case.scene.place, time_h).as_dvec3();
+    let to_sun = cloudwright_core::weather::sun_direction(case.scene.sun, &case.scene.site, time_h).as_dvec3();
     case.camera.heading_deg = to_sun.x.atan2(-to_sun.z).to_degrees();
     case.camera.pitch_deg = to_sun.y.asin().to_degrees() - 20.0;
     case

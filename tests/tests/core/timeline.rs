@@ -222,9 +222,8 @@ fn levels_out_of_order_are_lifted() {
 /// brought back.
 #[test]
 fn parts_are_those_of_the_whole() {
-    let scene = rich();
-    let (targets, mut dice) = (targets(&scene), Dice::new(3));
-    let mut keyed = scene.clone();
+    let mut keyed = rich();
+    let (targets, mut dice) = (targets(&keyed), Dice::new(3));
     for target in &targets {
         let [from, to] = [rolled(&mut dice, *target), rolled(&mut dice, *target)];
         line(&mut keyed, *target, [from, to]);
@@ -259,5 +258,26 @@ fn parts_are_those_of_the_whole() {
                 assert!(range.allows(number), "{target} is {number} at {clock_s} s");
             }
         }
+    }
+}
+
+/// Unless its hours are keyed, a day runs with the clock, as fast as the weather says.
+#[test]
+fn a_day_runs_by_the_clock() {
+    let mut scene = Scene { time_of_day_h: 22.0, ..rich() };
+    for (day_speed, clock_s, wanted) in [
+        (0.0, 1e7, 22.0),
+        (1.0, 3600.0, 23.0),
+        (1440.0, 10.0, 2.0),
+        (1440.0, -60.0, 22.0),
+        (1e6, f64::NAN, 22.0),
+        (1e6, f64::INFINITY, 22.0),
+        (1e6, f64::MAX, 22.0),
+    ] {
+        scene.weather.day_speed = day_speed;
+        let found = Timeline::new(&scene).time_of_day_h(&scene, clock_s);
+        assert!((found - wanted).abs() < 1e-9, "{found} at {clock_s} s, {day_speed} times as fast");
+        let keyed = one(&scene, "time_of_day_h", &[25.5]);
+        assert_eq!(Timeline::new(&keyed).time_of_day_h(&keyed, clock_s), 1.5, "keys are in its place");
     }
 }

@@ -5,7 +5,7 @@ use super::sun_path::SunPath;
 use crate::theme;
 use crate::widget::name_it;
 use cloudwright_core::math::clock;
-use cloudwright_core::scene::{Place, Sun};
+use cloudwright_core::scene::{Site, Sun};
 use cloudwright_core::weather::sun_direction;
 use egui::{Align2, Color32, FontId, Pos2, Sense, Shape, Stroke, Ui, Vec2, vec2};
 use glam::Vec3;
@@ -18,7 +18,7 @@ const RADIUS: f32 = 36.0;
 const BELOW: f32 = 8.0;
 
 /// The sun where it was dragged to.
-pub(super) fn show(ui: &mut Ui, sun: Sun, place: &Place, hour: f64, path: &SunPath) -> Option<Sun> {
+pub(super) fn show(ui: &mut Ui, sun: Sun, place: &Site, hour: f64, path: &SunPath) -> Option<Sun> {
     let by_hand = sun != Sun::ByPlace;
     let sense = if by_hand { Sense::drag() } else { Sense::hover() };
     let (rect, response) = ui.allocate_exact_size(Vec2::splat(SIDE), sense);
@@ -83,7 +83,7 @@ mod tests {
         for (x, y) in [(0.0, -20.0), (25.0, 10.0), (-30.0, -5.0), (0.0, 0.0), (40.0, 0.0), (-200.0, 300.0)] {
             let place = vec2(x, y);
             let sun = sun_at(place);
-            let again = place_of(sun_direction(sun, &Place::default(), 0.0));
+            let again = place_of(sun_direction(sun, &Site::default(), 0.0));
             // Straight down there is no heading.
             let want = if place.length() > RADIUS + BELOW { vec2(0.0, RADIUS + BELOW) } else { place };
             assert!((again - want).length() < 0.2, "{place:?} came to {again:?}");

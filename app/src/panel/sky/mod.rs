@@ -37,12 +37,12 @@ const TIME_SPEED: Number = Number {
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let scene = reading.session.scene();
-        let path = SunPath::of(ui.ctx(), scene.sun, &scene.place);
+        let path = SunPath::of(ui.ctx(), scene.sun, &scene.site);
         time(ui, reading, actions);
         light(ui, reading, &path, actions);
         heading(ui, "Sun");
         ui.horizontal_top(|ui| {
-            if let Some(sun) = dome::show(ui, scene.sun, &scene.place, reading.time_h(), &path) {
+            if let Some(sun) = dome::show(ui, scene.sun, &scene.site, reading.time_h(), &path) {
                 actions.push(Action::change("Sun", Edit::Sun(sun), ui.input(|input| input.pointer.any_down())));
             }
             ui.vertical(|ui| sun(ui, reading, actions));
@@ -161,7 +161,7 @@ fn sun(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         .owned([Owner::Sun])
         .show(ui, "Sun", actions, Fields::all, |_, sun| Edit::Sun(sun));
     if scene.sun == Sun::ByPlace {
-        Fields::of(&[&scene.place], reading).show(ui, "Place", actions, Fields::all, |_, place| Edit::Place(place));
+        Fields::of(&[&scene.site], reading).show(ui, "Place", actions, Fields::all, |_, place| Edit::Site(place));
     }
 }
 

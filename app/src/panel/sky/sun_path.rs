@@ -1,6 +1,6 @@
 //! The sun's way over one day, sampled: when it rises and sets, and the arc that it draws.
 
-use cloudwright_core::scene::{Place, Sun};
+use cloudwright_core::scene::{Site, Sun};
 use cloudwright_core::weather::sun_direction;
 use egui::{Context, Id};
 use glam::Vec3;
@@ -14,7 +14,7 @@ const HALVINGS: usize = 10;
 /// Of one place and day.
 pub(super) struct SunPath {
     sun: Sun,
-    place: Place,
+    place: Site,
     /// Towards the sun, every quarter of an hour, midnight at both ends.
     pub(super) directions: Vec<Vec3>,
     /// Local hours; none on a day on which it doesn't, or with a sun set by hand.
@@ -25,7 +25,7 @@ pub(super) struct SunPath {
 
 impl SunPath {
     /// The window's last one, if it still holds.
-    pub(super) fn of(context: &Context, sun: Sun, place: &Place) -> Arc<Self> {
+    pub(super) fn of(context: &Context, sun: Sun, place: &Site) -> Arc<Self> {
         let id = Id::unique("sun path");
         let kept: Option<Arc<Self>> = context.data(|data| data.get_temp(id));
         kept.filter(|path| path.sun == sun && path.place == *place).unwrap_or_else(|| {
@@ -35,7 +35,7 @@ impl SunPath {
         })
     }
 
-    fn new(sun: Sun, place: &Place) -> Self {
+    fn new(sun: Sun, place: &Site) -> Self {
         let height = |hour: f64| sun_direction(sun, place, hour).y;
         let hours: Vec<f64> = (0..=24 * AN_HOUR).map(|i| i as f64 / AN_HOUR as f64).collect();
         let directions: Vec<Vec3> = hours.iter().map(|hour| sun_direction(sun, place, *hour)).collect();
@@ -59,10 +59,10 @@ mod tests {
     #[test]
     fn midsummer_in_seattle_and_at_the_pole() {
         // NOAA's calculator, with refraction: 5:11 and 21:11.
-        let path = SunPath::new(Sun::ByPlace, &Place::default());
+        let path = SunPath::new(Sun::ByPlace, &Site::default());
         let (rise, set) = (path.sunrise_h.expect("it rises"), path.sunset_h.expect("it sets"));
         assert!((rise - 5.2).abs() < 0.15 && (set - 21.15).abs() < 0.15, "{rise} and {set}");
-        let pole = Place { latitude_deg: 89.0, ..Place::default() };
+        let pole = Site { latitude_deg: 89.0, ..Site::default() };
         let path = SunPath::new(Sun::ByPlace, &pole);
         assert_eq!((path.sunrise_h, path.sunset_h), (None, None));
     }

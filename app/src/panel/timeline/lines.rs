@@ -94,7 +94,7 @@ fn name_of(scene: &Scene, owner: Owner) -> String {
     let model = |id: ModelId| scene.model(id).map_or_else(|| format!("model {id}"), |model| model.name.clone());
     match owner {
         Owner::Scene => "Scene".into(),
-        Owner::Place => "Place".into(),
+        Owner::Site => "Place".into(),
         Owner::Sun => "Sun".into(),
         Owner::Sky | Owner::AmbientKey(_) | Owner::DirectionalKey(_) => "Sky".into(),
         Owner::Weather => "Weather".into(),

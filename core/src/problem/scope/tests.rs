@@ -6,7 +6,7 @@ use crate::document::{Change, Document, Edit, EditError, ListEdit};
 use crate::random::draw;
 use crate::scene::{
     Aircraft, BoxId, Camera, CameraId, CameraPath, Cloud, CloudBox, CloudId, CloudModel, CullRadius, Formation,
-    GroupId, GroupLight, IdCounter, ModelId, PathId, Place, Scene, ShadingGroup, Sky, SpriteEdit, Sun,
+    GroupId, GroupLight, IdCounter, ModelId, PathId, Site, Scene, ShadingGroup, Sky, SpriteEdit, Sun,
 };
 use glam::DVec3;
 
@@ -118,7 +118,7 @@ fn some_edits(scene: &Scene, step: u32) -> Vec<Edit> {
             }
             vec![Edit::Model(ListEdit::Replace(model))]
         }
-        _ => vec![Edit::Place(Place { latitude_deg: if bad { 91.0 } else { 47.0 }, ..scene.place })],
+        _ => vec![Edit::Site(Site { latitude_deg: if bad { 91.0 } else { 47.0 }, ..scene.site })],
     }
 }
 

@@ -1,8 +1,8 @@
 //! When several curves together are smooth, and when they begin anew: what pieces are fitted between.
 //!
 //! Curves that repeat begin anew together after a common period, if they have one that is not too long. Those that have
-//! none go on for hundreds of rounds, up to where they miss each other by least, and are begun anew there: a jump of the
-//! wind to where it would have been within a small part of a period, long after all keys are over.
+//! none go on for many rounds, up to where they miss each other by least, and are begun anew there: a jump of the wind to
+//! where it would have been within a small part of a period, long after all keys are over.
 
 use crate::weather::Curve;
 
@@ -91,7 +91,8 @@ fn common_period_s(curves: &[&Curve]) -> Option<f64> {
     if let Some(times) = (1..=most).find(|times| missed(*times) == 0.0) {
         return Some(longest * f64::from(times));
     }
-    // The later it begins anew, the better.
+    // The later it begins anew, the better; but all on the way is fitted again at each step of a drag of a key.
+    let most = (most / 5).max(1);
     let best = (most.div_ceil(2)..=most).min_by(|a, b| missed(*a).total_cmp(&missed(*b)));
     Some(longest * f64::from(best.unwrap_or(1)))
 }
