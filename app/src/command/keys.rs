@@ -12,13 +12,30 @@ pub(crate) fn pressed(context: &Context) -> Vec<Command> {
     let delete_is_taken = focused.is_some() && focused == context.data(|data| data.get_temp(owner_of_delete()));
     let mut rows: Vec<&Row> = TABLE.iter().filter(|row| row.shortcut.is_some()).collect();
     rows.sort_by_key(|row| row.shortcut.is_some_and(|shortcut| !shortcut.modifiers.shift && !shortcut.modifiers.alt));
+    let in_timeline = timeline_has_keys(context);
     context.input_mut(|input| {
         let hit = |row: &&Row| {
             let leave = (typing && belongs_to_text(row)) || (delete_is_taken && row.command == Command::Delete);
             !leave && row.shortcut.is_some_and(|shortcut| input.consume_shortcut(&shortcut))
         };
-        rows.into_iter().filter(hit).map(|row| row.command).collect()
+        let commands = rows.into_iter().filter(hit).map(|row| row.command);
+        commands.map(|command| if in_timeline { command.in_timeline() } else { command }).collect()
     })
+}
+
+/// In the frame to come, keys that select, delete and the like are about the timeline's keys.
+pub(crate) fn give_keys_to_timeline(context: &Context) {
+    let frame = context.cumulative_frame_nr();
+    context.data_mut(|data| data.insert_temp(owner_of_keys(), frame));
+}
+
+fn timeline_has_keys(context: &Context) -> bool {
+    let given: Option<u64> = context.data(|data| data.get_temp(owner_of_keys()));
+    given.is_some_and(|frame| frame + 1 >= context.cumulative_frame_nr())
+}
+
+fn owner_of_keys() -> Id {
+    Id::unique("timeline has the keys")
 }
 
 /// While `handle` has the focus, Delete is its own and not the selection's.

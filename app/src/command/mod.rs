@@ -6,7 +6,7 @@
 mod keys;
 pub mod manual;
 
-pub(crate) use keys::{delete_belongs_to, pressed};
+pub(crate) use keys::{delete_belongs_to, give_keys_to_timeline, pressed};
 
 use crate::theme::icon;
 use egui::{Key, KeyboardShortcut, Modifiers};
@@ -28,14 +28,25 @@ pub enum Menu {
     Tool,
     /// The scene's clock, and paths that are flown by it.
     Flight,
+    /// Keys of tracks, and what the clock plays of them.
+    Keys,
     /// Panels.
     Window,
 }
 
 impl Menu {
     /// All, in the order of the menu bar.
-    pub const ALL: [Self; 8] =
-        [Self::File, Self::Edit, Self::Add, Self::Shade, Self::View, Self::Tool, Self::Flight, Self::Window];
+    pub const ALL: [Self; 9] = [
+        Self::File,
+        Self::Edit,
+        Self::Add,
+        Self::Shade,
+        Self::View,
+        Self::Tool,
+        Self::Flight,
+        Self::Keys,
+        Self::Window,
+    ];
 
     /// As in the menu bar.
     pub const fn name(self) -> &'static str {
@@ -47,6 +58,7 @@ impl Menu {
             Self::View => "View",
             Self::Tool => "Tool",
             Self::Flight => "Flight",
+            Self::Keys => "Keys",
             Self::Window => "Window",
         }
     }
@@ -197,6 +209,34 @@ commands! {
         KeyAtClock: "Key at the clock", "Have the chosen path pass the view at the clock's time; a key that is there already moves.", shift(Key::I), None;
         RecordFlight: "Record flight", "Make a path of what is flown by hand from now until this is done again.", ctrl_shift(Key::R), Some(icon::RECORD);
     }
+    Keys {
+        KeyValue: "Key this value", "Key the value of the field that the pointer was at last, at the clock's time.", ctrl(Key::K), Some(icon::DIAMOND);
+        AutoKey: "Auto-key", "What is changed about a keyed value sets a key at the clock's time.", ctrl_shift(Key::K), Some(icon::RECORD);
+        PreviousKey: "Previous key", "Put the clock at the key before, of the chosen tracks or of all.", key(Key::PageUp), None;
+        NextKey: "Next key", "Put the clock at the key after, of the chosen tracks or of all.", key(Key::PageDown), None;
+        AddKeys: "Add keys", "Add a key at the clock's time to the chosen tracks, or to all.", shift(Key::K), Some(icon::PLUS);
+        DeleteKeys: "Delete keys", "Take the chosen keys out: over the timeline, the Delete key.", NONE, Some(icon::TRASH);
+        CopyKeys: "Copy keys", "Keep the chosen keys for pasting: over the timeline, Ctrl+C.", NONE, Some(icon::COPY);
+        PasteKeys: "Paste keys", "Put the copied keys at the clock's time: over the timeline, Ctrl+V.", NONE, None;
+        DuplicateKeys: "Duplicate keys", "Copy the chosen keys to a second behind them: over the timeline, Ctrl+D.", NONE, Some(icon::COPY_SIMPLE);
+        SelectAllKeys: "Select all keys", "Choose all keys of the chosen tracks, or of all: over the timeline, Ctrl+A.", NONE, None;
+        SelectNoKeys: "Select no keys", "Choose no key and no track: over the timeline, Alt+A.", NONE, None;
+        SelectKeysBefore: "Select keys before the clock", "Choose all keys up to the clock's time, of the chosen tracks or of all.", NONE, None;
+        SelectKeysAfter: "Select keys after the clock", "Choose all keys from the clock's time on, of the chosen tracks or of all.", NONE, None;
+        MirrorKeys: "Mirror keys in time", "Turn the chosen keys the other way round about the clock's time.", NONE, None;
+        SlowKeys: "Twice as slow", "Move the chosen keys twice as far from the clock's time; Alt drags them by any factor.", NONE, None;
+        QuickenKeys: "Twice as fast", "Move the chosen keys half as far from the clock's time; Alt drags them by any factor.", NONE, None;
+        KeysStep: "Leave by step", "The chosen keys hold until the next.", NONE, None;
+        KeysLinear: "Leave straight", "The chosen keys go on straight to the next.", NONE, None;
+        KeysSmooth: "Leave smoothly", "The chosen keys go on in a curve that never overshoots.", NONE, None;
+        KeysFlat: "Flatten", "The curve is level at the chosen keys.", NONE, None;
+        KeysFree: "Free handles", "Give the chosen keys handles that can be dragged in the curves.", NONE, None;
+        MarkIn: "In mark", "Let the clock play from here on.", ctrl(Key::Home), None;
+        MarkOut: "Out mark", "Let the clock play up to here.", ctrl(Key::End), None;
+        ClearMarks: "No marks", "Let the clock play all through.", NONE, None;
+        CurveView: "Curves", "Show the curves of the chosen tracks in the timeline, or its rows of keys.", NONE, Some(icon::CHART_LINE);
+        FitTimeline: "Fit timeline", "Bring the chosen keys into sight, or all: over the timeline, F.", NONE, Some(icon::ARROWS_LEFT_RIGHT);
+    }
     Window {
         OutlinePanel: "Outline", "Show the panel of models, clouds and cameras.", NONE, Some(icon::TREE_STRUCTURE);
         InspectorPanel: "Inspector", "Show the panel of the selection's values.", NONE, Some(icon::SLIDERS_HORIZONTAL);
@@ -204,6 +244,7 @@ commands! {
         GroupsPanel: "Shading groups", "Show the panel of shading groups.", NONE, Some(icon::STACK);
         SkyPanel: "Sky", "Show the panel of light, time and place.", NONE, Some(icon::SUN);
         FlightPanel: "Flight", "Show the panel of camera paths, aircraft and the scene's clock.", NONE, Some(icon::AIRPLANE_TILT);
+        TimelinePanel: "Timeline", "Show the panel of keys over the scene's clock.", shift(Key::T), Some(icon::DIAMOND);
         ChartPanel: "Chart", "Show the panel of what each method costs and gets wrong.", NONE, Some(icon::CHART_SCATTER);
         HistoryPanel: "History", "Show the panel of changes.", NONE, Some(icon::CLOCK_COUNTER_CLOCKWISE);
         ProblemsPanel: "Problems", "Show the panel of what is wrong.", NONE, Some(icon::WARNING);
@@ -212,6 +253,18 @@ commands! {
 }
 
 impl Command {
+    /// What its keys mean while the pointer is over the timeline.
+    pub(crate) fn in_timeline(self) -> Self {
+        match self {
+            Self::Delete => Self::DeleteKeys,
+            Self::Duplicate => Self::DuplicateKeys,
+            Self::SelectAll => Self::SelectAllKeys,
+            Self::SelectNone => Self::SelectNoKeys,
+            Self::FrameSelection | Self::FrameAll => Self::FitTimeline,
+            other => other,
+        }
+    }
+
     /// Its row.
     pub fn row(self) -> &'static Row {
         // The test below sees to it that each has one; the first stands in.

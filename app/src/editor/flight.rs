@@ -68,6 +68,7 @@ impl Editor {
         match change {
             ClockChange::Seek(time_s) => self.seek(time_s),
             ClockChange::Speed(speed) => self.clock.set_speed(speed),
+            ClockChange::Marks(marks) => self.clock.set_marks(marks),
         }
     }
 

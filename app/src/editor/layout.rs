@@ -7,6 +7,9 @@ use egui_tiles::{
     Behavior, Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree, UiResponse,
 };
 
+/// Of the viewport's height, what the timeline takes when it comes up.
+const TIMELINE_SHARE: f32 = 0.36;
+
 /// The docked panels.
 #[derive(Debug)]
 pub(super) struct Layout {
@@ -57,12 +60,16 @@ impl Layout {
         *self = Self { changed: true, ..Self::default() };
     }
 
-    /// Brings a panel up, wherever it is; back beside the inspector if it was closed.
+    /// Brings a panel up, wherever it is. One that was closed comes back beside the inspector, the timeline below the
+    /// viewport.
     pub(super) fn bring_up(&mut self, panel: Panel) {
         self.changed = true;
         let found = self.tree.tiles.find_pane(&panel);
         let tile = found.unwrap_or_else(|| {
             let tile = self.tree.tiles.insert_pane(panel);
+            if panel == Panel::Timeline && self.put_below_viewport(tile) {
+                return tile;
+            }
             let beside = self.tree.tiles.find_pane(&Panel::Inspector).and_then(|id| self.tree.tiles.parent_of(id));
             match beside.or(self.tree.root) {
                 Some(parent) => self.tree.move_tile_to_container(tile, parent, usize::MAX, false),
@@ -72,6 +79,28 @@ impl Layout {
         });
         self.tree.set_visible(tile, true);
         self.tree.make_active(|id, _| id == tile);
+    }
+}
+
+impl Layout {
+    /// Puts a tile below the viewport, over all its width. False if the viewport is not in a place of its own.
+    fn put_below_viewport(&mut self, tile: TileId) -> bool {
+        let tiles = &mut self.tree.tiles;
+        let above = tiles.find_pane(&Panel::Viewport).and_then(|viewport| tiles.parent_of(viewport));
+        let Some((above, holder)) = above.and_then(|above| Some((above, tiles.parent_of(above)?))) else {
+            return false;
+        };
+        let below = tiles.insert_tab_tile(vec![tile]);
+        let mut linear = Linear::new(LinearDir::Vertical, vec![above, below]);
+        linear.shares.set_share(above, 1.0 - TIMELINE_SHARE);
+        linear.shares.set_share(below, TIMELINE_SHARE);
+        let both = tiles.insert_container(Container::Linear(linear));
+        let Some(Tile::Container(Container::Linear(parent))) = tiles.get_mut(holder) else { return false };
+        parent.shares.replace_with(above, both);
+        for child in parent.children.iter_mut().filter(|child| **child == above) {
+            *child = both;
+        }
+        true
     }
 }
 
@@ -156,6 +185,11 @@ mod tests {
         let saved = layout.to_saved().expect("it can be saved");
         let again = Layout::from_saved(&saved).expect("it is a layout");
         assert_eq!(again.tree, layout.tree);
+        // The timeline comes up below the viewport, and hides nothing.
+        layout.bring_up(Panel::Timeline);
+        assert!([Panel::Viewport, Panel::Timeline, Panel::Inspector].into_iter().all(|panel| layout.shows(panel)));
+        let saved = layout.to_saved().expect("it can be saved");
+        assert_eq!(Layout::from_saved(&saved).expect("it is a layout").tree, layout.tree);
         for bad in [serde_json::json!(null), serde_json::json!({"root": 7}), serde_json::json!([])] {
             assert!(Layout::from_saved(&bad).is_none(), "{bad}");
         }

@@ -301,6 +301,7 @@ impl eframe::App for Editor {
         if !self.is_asking() && !self.viewport.has_keys() {
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
+        self.session.mute(self.view.timeline.muted(self.clock.time_s()));
         actions.extend(self.panels(ui));
         self.record(&context);
         self.carry_out(actions, &context);

@@ -3,8 +3,8 @@
 use crate::state::{Action, Item, Reading};
 use crate::widget::{Fields, Kept, kept};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{Property, Value};
-use cloudwright_core::scene::Cloud;
+use cloudwright_core::property::{Owner, Property, Value};
+use cloudwright_core::scene::{Cloud, Thing};
 use cloudwright_core::weather::Formed;
 use egui::Ui;
 
@@ -15,6 +15,7 @@ pub(super) fn fields_of(ui: &mut Ui, clouds: &[&Cloud], reading: &Reading<'_>, a
     let seed = |cloud: &Cloud, _: &Property| scene.model(cloud.model).map(|model| Value::Whole(model.seed));
     Fields::of(clouds, reading)
         .inheriting(seed)
+        .owned(clouds.iter().map(|cloud| Owner::Thing(Thing::Cloud(cloud.id))))
         .show(ui, "Change cloud", actions, Fields::all, |_, cloud| Edit::Cloud(ListEdit::Replace(cloud)));
     let Some(cloud) = clouds.first() else { return };
     let clock_s = reading.clock.time_s();

@@ -5,8 +5,8 @@ use crate::command::Command;
 use crate::state::{Action, Item, Reading};
 use crate::widget::{Fields, Kept, heading, kept};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{BOX_SHADING, BOX_SHAPE, Kind, Property, Value};
-use cloudwright_core::scene::{CloudBox, CloudModel, ModelId};
+use cloudwright_core::property::{BOX_SHADING, BOX_SHAPE, Kind, Owner, Property, Value};
+use cloudwright_core::scene::{CloudBox, CloudModel, ModelId, Thing};
 use egui::Ui;
 
 /// A box and the model that it belongs to.
@@ -49,7 +49,8 @@ pub(super) fn fields_of(
     }
     heading(ui, "Shading");
     let groups = model.groups.iter().map(|group| (group.id.0, group_name(&group.name, group.id)));
-    Fields::of(&alone, reading).with_groups(groups).show(
+    let owners = boxes.iter().map(|(of, each)| Owner::Thing(Thing::Box(*of, each.id)));
+    Fields::of(&alone, reading).owned(owners).with_groups(groups).show(
         ui,
         "Change shading",
         actions,

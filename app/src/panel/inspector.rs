@@ -6,7 +6,7 @@ use crate::command::Command;
 use crate::state::{Action, Choose, Item, Reading, box_of, group_of};
 use crate::widget::Fields;
 use cloudwright_core::document::{Edit, ForEditable, ListEdit, for_each_editable};
-use cloudwright_core::property::{Described, GROUP_NAME};
+use cloudwright_core::property::{Described, GROUP_NAME, Owner};
 use cloudwright_core::scene::{Listed, ModelId, ShadingGroup};
 use egui::{ScrollArea, Ui};
 
@@ -87,7 +87,10 @@ impl ForEditable for Plain<'_, '_> {
         chosen.reverse();
         title(self.ui, T::TITLE, chosen.len());
         let edit = |_: usize, value| Edit::from(ListEdit::Replace(value));
-        Fields::of(&chosen, self.reading).show(self.ui, T::CHANGE, self.actions, Fields::all, edit);
+        let owners = chosen.iter().map(|value| Owner::Thing(T::thing(value.id())));
+        let fields = Fields::of(&chosen, self.reading);
+        let fields = if T::rows().any(|row| row.property.keyed) { fields.owned(owners) } else { fields };
+        fields.show(self.ui, T::CHANGE, self.actions, Fields::all, edit);
     }
 }
 

@@ -22,6 +22,7 @@ mod shading_groups;
 mod sky;
 mod status;
 mod thinning;
+mod timeline;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use palette::Palette;
@@ -52,6 +53,8 @@ pub(crate) enum Panel {
     Sky,
     /// Camera paths, aircraft and the scene's clock.
     Flight,
+    /// Keys over the scene's clock.
+    Timeline,
     /// What each method costs and gets wrong.
     Chart,
     /// All changes.
@@ -72,6 +75,7 @@ impl Panel {
             Self::ShadingGroups => "Groups",
             Self::Sky => "Sky",
             Self::Flight => "Flight",
+            Self::Timeline => "Timeline",
             Self::Chart => "Chart",
             Self::History => "History",
             Self::Problems => "Problems",
@@ -88,6 +92,7 @@ impl Panel {
             Self::ShadingGroups => icon::STACK,
             Self::Sky => icon::SUN,
             Self::Flight => icon::AIRPLANE_TILT,
+            Self::Timeline => icon::DIAMOND,
             Self::Chart => icon::CHART_SCATTER,
             Self::History => icon::CLOCK_COUNTER_CLOCKWISE,
             Self::Problems => icon::WARNING,
@@ -104,6 +109,7 @@ impl Panel {
             Self::ShadingGroups => shading_groups::show(ui, reading, actions),
             Self::Sky => sky::show(ui, reading, actions),
             Self::Flight => flight::show(ui, reading, actions),
+            Self::Timeline => timeline::show(ui, reading, actions),
             Self::Chart => chart::show(ui, reading, actions),
             Self::History => history::show(ui, reading, actions),
             Self::Problems => problems::show(ui, reading, actions),

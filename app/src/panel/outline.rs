@@ -3,7 +3,7 @@
 use crate::state::{Action, Choose, Item, Reading, ViewChange, ViewState};
 use crate::theme::icon;
 use crate::widget::name_it;
-use cloudwright_core::scene::{Cloud, CloudModel, ForKind, List, Listed, for_each_kind};
+use cloudwright_core::scene::{Cloud, CloudModel, ForKind, List, Listed, Track, for_each_kind};
 use egui::collapsing_header::CollapsingState;
 use egui::{Align, Button, Id, Layout, Response, ScrollArea, TextWrapMode, Ui};
 
@@ -35,7 +35,8 @@ struct Others<'a, 'r> {
 
 impl ForKind for Others<'_, '_> {
     fn kind<T: Listed>(&mut self) {
-        if [Cloud::LIST, CloudModel::LIST].contains(&T::LIST) {
+        // Tracks are in the timeline: there may be hundreds.
+        if [Cloud::LIST, CloudModel::LIST, Track::LIST].contains(&T::LIST) {
             return;
         }
         let list = T::list(self.reading.session.scene());

@@ -3,8 +3,10 @@
 use super::charting::ChartChange;
 use super::clock::ClockChange;
 use super::selection::{Choose, Item};
+use super::timeline::TimelineChange;
 use super::view::Lens;
 use crate::command::Command;
+use cloudwright_core::arrange::keys::Rekeyed;
 use cloudwright_core::document::Edit;
 use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::method::Method;
@@ -24,6 +26,19 @@ pub(crate) enum Action {
         /// Whether the button is still down.
         live: bool,
     },
+    /// Tracks were changed: part of a gesture if `live`.
+    Keys {
+        /// What the history calls it.
+        name: String,
+        /// The tracks, and what else goes with them.
+        rekeyed: Rekeyed,
+        /// Whether the button is still down.
+        live: bool,
+        /// Whether the keys that were changed are to be the chosen ones.
+        choose: bool,
+    },
+    /// Something about what of the timeline is worked on.
+    Timeline(TimelineChange),
     /// Stop the work that is pending, and take back what asked for it.
     CancelPending,
     /// Take the open gesture back.

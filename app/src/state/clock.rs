@@ -1,7 +1,8 @@
 //! The scene's clock in seconds: by it clouds form and dissipate, aircraft go their way, and a path is flown.
 //!
 //! It runs in the view alone, as the time of day does: nothing can be undone or is unsaved. It runs from 0 to the chosen
-//! path's end; without a path that can be flown, until the last cloud has formed or gone.
+//! path's end; without a path that can be flown, until the last cloud has formed or gone and the last key is passed. An
+//! in and an out mark have it play between them.
 
 use super::selection::Item;
 use super::time_play::MAX_STEP_S;
@@ -27,6 +28,8 @@ pub(crate) struct Clock {
     time_s: f64,
     plays: bool,
     loops: bool,
+    /// In and out: it plays from the one to the other.
+    marks: Option<[f64; 2]>,
     /// A hand has put it somewhere and may go on to.
     is_sought: bool,
     speed: f64,
@@ -44,6 +47,8 @@ pub(crate) enum ClockChange {
     Seek(f64),
     /// How many of its seconds pass in one of the artist's.
     Speed(f64),
+    /// It plays between those times, or all through.
+    Marks(Option<[f64; 2]>),
 }
 
 impl Default for Clock {
@@ -52,6 +57,7 @@ impl Default for Clock {
             time_s: 0.0,
             plays: false,
             loops: false,
+            marks: None,
             is_sought: false,
             speed: 1.0,
             boards: true,
@@ -107,7 +113,9 @@ impl Clock {
         match self.path_to_fly(scene) {
             Some(path) => PathCurve::new(path).duration_s(),
             None => {
-                scene.clouds.iter().filter_map(|cloud| Some(end_s(cloud.formation.as_ref()?))).fold(LEAST_S, f64::max)
+                let formed = scene.clouds.iter().filter_map(|cloud| Some(end_s(cloud.formation.as_ref()?)));
+                let keyed = scene.tracks.iter().filter_map(|track| Some(track.keys.last()?.time_s));
+                formed.chain(keyed).fold(LEAST_S, f64::max)
             }
         }
     }
@@ -131,20 +139,39 @@ impl Clock {
         if !self.plays || to_s.is_nan() || to_s <= self.time_s {
             return;
         }
-        if to_s < length_s {
+        let [start_s, end_s] = self.played_s(length_s);
+        if to_s < end_s {
             self.time_s = to_s;
-        } else if self.loops && length_s > 0.0 {
-            self.time_s = to_s.rem_euclid(length_s);
+        } else if self.loops && end_s > start_s {
+            self.time_s = start_s + (to_s - start_s).rem_euclid(end_s - start_s);
         } else {
-            self.time_s = length_s;
+            self.time_s = end_s;
             self.plays = false;
         }
     }
 
+    /// From where to where it plays, seconds.
+    pub(crate) fn played_s(&self, length_s: f64) -> [f64; 2] {
+        let [start_s, end_s] = self.marks.unwrap_or([0.0, length_s]).map(|mark| mark.min(length_s).max(0.0));
+        if start_s < end_s { [start_s, end_s] } else { [0.0, length_s] }
+    }
+
+    /// The in and the out mark.
+    pub(crate) fn marks(&self) -> Option<[f64; 2]> {
+        self.marks
+    }
+
+    /// Other marks, in either order, or none.
+    pub(crate) fn set_marks(&mut self, marks: Option<[f64; 2]>) {
+        let sound = marks.filter(|marks| marks.iter().all(|mark| mark.is_finite()));
+        self.marks = sound.map(|[a, b]| [a.min(b).max(0.0), a.max(b).max(0.0)]);
+    }
+
     /// Begins to run; from the start if it is at its end.
     pub(crate) fn play(&mut self, length_s: f64) {
-        if self.time_s >= length_s {
-            self.time_s = 0.0;
+        let [start_s, end_s] = self.played_s(length_s);
+        if self.time_s >= end_s {
+            self.time_s = start_s;
         }
         self.plays = true;
     }
@@ -211,6 +238,7 @@ fn end_s(formation: &Formation) -> f64 {
 mod tests {
     use super::*;
     use crate::state::starter_scene;
+    use cloudwright_core::scene::{KeyValue, Track, TrackId, TrackKey};
 
     #[test]
     fn runs_to_its_end_or_round_and_never_jumps() {
@@ -243,6 +271,27 @@ mod tests {
     }
 
     #[test]
+    fn it_plays_between_its_marks() {
+        let mut clock = Clock::default();
+        clock.set_marks(Some([4.0, 2.0]));
+        clock.seek(9.0, 10.0);
+        clock.play(10.0);
+        assert_eq!(clock.time_s(), 2.0, "from the in mark");
+        clock.seek(3.9, 10.0);
+        clock.advance(0.2, 10.0);
+        assert!(!clock.plays() && clock.time_s() == 4.0);
+        clock.toggle_loop();
+        clock.seek(3.9, 10.0);
+        clock.play(10.0);
+        clock.advance(0.2, 10.0);
+        assert!(clock.plays() && (clock.time_s() - 2.1).abs() < 1e-9);
+        clock.set_marks(Some([f64::NAN, 2.0]));
+        assert_eq!(clock.marks(), None);
+        clock.set_marks(Some([20.0, 30.0]));
+        assert_eq!(clock.played_s(10.0), [0.0, 10.0], "beyond the end they mean nothing");
+    }
+
+    #[test]
     fn without_a_path_it_lasts_until_all_have_formed() {
         let mut scene = starter_scene();
         scene.paths.clear();
@@ -254,5 +303,9 @@ mod tests {
         assert_eq!(clock.length_s(&scene), 140.0, "half the core, then the edges");
         scene.clouds[0].formation = Some(Formation { edges_s: 5.0, ..formation });
         assert_eq!(clock.length_s(&scene), 120.0, "the core");
+        let keys = vec![TrackKey::new(150.0, KeyValue::One(0.0))];
+        let id = TrackId::new(&mut scene.next_id);
+        scene.tracks.push(Track::new(id, "sky/exposure_ev", keys));
+        assert_eq!(clock.length_s(&scene), 150.0, "the last key");
     }
 }

@@ -1,9 +1,12 @@
 //! Changes to colour levels: levels stay in order, and what is changed in the primary's model is changed in all
 //! selected ones.
 
-use crate::state::{Action, Reading};
+use super::timeline::TimelineChange;
+use crate::state::{Action, Reading, Values};
+use cloudwright_core::arrange::keys;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::scene::{CloudModel, ColorLevels};
+use cloudwright_core::property::{Described, Owner, Row, Target, Value};
+use cloudwright_core::scene::{CloudModel, ColorLevel, ColorLevels, KeyValue, ModelId};
 
 /// The edit that gives `model` other colour levels.
 pub(crate) fn with_levels(model: &CloudModel, levels: ColorLevels) -> Edit {
@@ -20,17 +23,82 @@ pub(crate) fn moved(mut levels: ColorLevels, index: usize, height: f64) -> Color
     levels
 }
 
-/// Gives the selected models what differs between the primary's levels and `after`: the rest of theirs stays.
-pub(crate) fn change(reading: &Reading<'_>, after: &ColorLevels, live: bool) -> Option<Action> {
+/// The levels as they are at the clock's time.
+pub(crate) fn shown(reading: &Reading<'_>, model: &CloudModel) -> ColorLevels {
+    let mut levels = model.color_levels;
+    for (i, level) in levels.iter_mut().enumerate() {
+        for (row, target) in targets(model.id, i) {
+            for part in 0..target.parts() {
+                if let Some(number) = reading.keyed_number(&target, part) {
+                    // What a track says is within the range.
+                    let _ = row.set(level, part, &Value::Number(number));
+                }
+            }
+        }
+    }
+    levels
+}
+
+/// What a track can move of a level, with its row.
+pub(crate) fn targets(model: ModelId, level: usize) -> impl Iterator<Item = (&'static Row<ColorLevel>, Target)> {
+    let keyed = ColorLevel::rows().filter(|row| row.property.keyed);
+    keyed.map(move |row| (row, Target { owner: Owner::Level(model, level), property: &row.property }))
+}
+
+/// All of a level's value as a key has it.
+pub(crate) fn key_value(row: &Row<ColorLevel>, level: &ColorLevel) -> Option<KeyValue> {
+    let number = |part| match row.value(level, part)? {
+        Value::Number(number) => Some(number),
+        _ => None,
+    };
+    Some(match row.property.parts.names().len() {
+        3 => KeyValue::Three([number(0)?, number(1)?, number(2)?]),
+        _ => KeyValue::One(number(0)?),
+    })
+}
+
+/// Gives the selected models what differs between the primary's levels as they are shown and `after`: the rest of theirs
+/// stays. What is keyed becomes keys if *Auto-key* is on.
+pub(crate) fn change(reading: &Reading<'_>, after: &ColorLevels, live: bool) -> Vec<Action> {
     let models = reading.view.selection.models(reading.session.scene());
-    let before = models.first()?.color_levels;
-    let edits: Vec<Edit> = models
-        .into_iter()
-        .map(|model| (model, carried_over(&before, after, model.color_levels)))
-        .filter(|(model, levels)| *levels != model.color_levels)
-        .map(|(model, levels)| with_levels(model, levels))
-        .collect();
-    (!edits.is_empty()).then_some(Action::Change { name: "Change colour levels", edits, live })
+    let Some(first) = models.first() else { return Vec::new() };
+    let before = shown(reading, first);
+    let (mut edits, mut keyed, mut unkeyed) = (Vec::new(), Values::new(), Vec::new());
+    for model in models {
+        let old = shown(reading, model);
+        let new = carried_over(&before, after, old);
+        let mut own = model.color_levels;
+        for i in 0..own.len() {
+            for (row, target) in targets(model.id, i) {
+                let [was, is] = [&old[i], &new[i]].map(|level| key_value(row, level));
+                let Some(value) = is.filter(|is| Some(*is) != was) else { continue };
+                let has_track = reading.has_track(&target);
+                if has_track && reading.view.timeline.auto_key {
+                    keyed.push((target, value));
+                    continue;
+                }
+                for (part, number) in value.parts().iter().enumerate() {
+                    let _ = row.set(&mut own[i], part, &Value::Number(*number));
+                }
+                unkeyed.extend(has_track.then_some(target));
+            }
+        }
+        if own != model.color_levels {
+            edits.push(with_levels(model, own));
+        }
+    }
+    let mut actions = Vec::new();
+    if !unkeyed.is_empty() {
+        actions.push(Action::Timeline(TimelineChange::Unkeyed(unkeyed)));
+    }
+    if !keyed.is_empty() {
+        let mut rekeyed = keys::keyed(reading.session.scene(), &keyed, reading.clock.time_s());
+        rekeyed.edits.append(&mut edits);
+        actions.push(Action::Keys { name: "Key colour levels".into(), rekeyed, live, choose: false });
+    } else if !edits.is_empty() {
+        actions.push(Action::Change { name: "Change colour levels", edits, live });
+    }
+    actions
 }
 
 /// Gives the selected models these levels, whatever theirs are.
@@ -78,7 +146,6 @@ fn carried_over(before: &ColorLevels, after: &ColorLevels, mut levels: ColorLeve
 mod tests {
     use super::*;
     use cloudwright_core::color::Rgba;
-    use cloudwright_core::scene::ColorLevel;
 
     fn levels(heights: [f64; 5]) -> ColorLevels {
         heights.map(|height| ColorLevel { height, color: Rgba::new(height as f32, 0.5, 0.5, 1.0) })

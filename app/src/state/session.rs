@@ -10,11 +10,12 @@
 use super::regeneration::{Regeneration, Request};
 use crate::opening::Beside;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::document::{Change, Document, Edit, EditError, SavedMark};
+use cloudwright_core::document::{Change, Document, Edit, EditError, ListEdit, SavedMark};
 use cloudwright_core::problem::{self, Problem};
-use cloudwright_core::scene::{CloudId, Scene};
+use cloudwright_core::scene::{CloudId, Scene, Track};
 use cloudwright_core::sprites::PlacedCloud;
 use cloudwright_core::version::Version;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -31,6 +32,8 @@ pub struct Session {
     derived: Arc<Derived>,
     /// The scene as it is drawn, and last was without errors: workers read it while the document goes on.
     shown: Arc<Scene>,
+    /// The addresses of what is shown as the scene has it and not its track: a hand has changed it since it was keyed.
+    muted: BTreeSet<String>,
     /// Whether `shown` is the document's scene.
     is_sound: bool,
     stale: Change,
@@ -59,6 +62,7 @@ impl Session {
         let mut session = Self {
             derived: Arc::new(Derived::default()),
             shown: Arc::new(scene.clone()),
+            muted: BTreeSet::new(),
             is_sound: true,
             document: Document::new(scene),
             path,
@@ -147,6 +151,20 @@ impl Session {
         });
         self.follow(change);
         done
+    }
+
+    /// From now on, tracks of properties with those addresses don't show; the document stays.
+    pub(crate) fn mute(&mut self, properties: BTreeSet<String>) {
+        if properties == self.muted {
+            return;
+        }
+        let other = |track: &&Track| properties.contains(&track.property) != self.muted.contains(&track.property);
+        let mut change = Change::default();
+        for track in self.scene().tracks.iter().filter(other) {
+            change.join(Edit::Track(ListEdit::Replace(track.clone())).change());
+        }
+        self.muted = properties;
+        self.follow(change);
     }
 
     /// Ends a gesture as one undo point. What is refused is taken back.
@@ -265,7 +283,11 @@ impl Session {
         if !self.is_sound {
             return;
         }
-        self.shown = Arc::new(self.scene().clone());
+        let mut shown = self.scene().clone();
+        if !self.muted.is_empty() {
+            shown.tracks.retain(|track| !self.muted.contains(&track.property));
+        }
+        self.shown = Arc::new(shown);
         self.revision = Version::fresh();
         // Light and cameras don't overtake the work on sprites.
         if touches_derived || self.regeneration.pending().is_none() {

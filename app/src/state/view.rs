@@ -1,6 +1,7 @@
 //! How the scene is looked at and worked on: selection, tool, what is hidden. Never saved, never undone.
 
 use super::selection::{Item, Selection};
+use super::timeline::TimelineView;
 use cloudwright_core::draw_list::{Hidden, Sorting};
 use cloudwright_core::method::Method;
 use cloudwright_core::scene::{Cloud, PathId, Scene};
@@ -134,6 +135,8 @@ pub struct ViewState {
     pub lens: Lens,
     /// The key that is worked on, of a path that is selected.
     pub path_key: Option<(PathId, usize)>,
+    /// What of the timeline is worked on.
+    pub timeline: TimelineView,
     /// Clouds and boxes that are not drawn.
     pub hidden: BTreeSet<Item>,
     /// Clouds and boxes that the pointer passes through.
@@ -190,6 +193,7 @@ impl ViewState {
     /// Leaves out what the scene has no longer.
     pub(crate) fn keep_what_is_in(&mut self, scene: &Scene) {
         self.selection.keep_what_is_in(scene);
+        self.timeline.keep_what_is_in(scene);
         for set in [&mut self.hidden, &mut self.locked, &mut self.solo] {
             set.retain(|item| item.is_in(scene));
         }

@@ -10,6 +10,7 @@ pub(crate) fn of_kind(word: &str) -> &'static str {
         "cloud" => CLOUD,
         "model" => CUBE_TRANSPARENT,
         "path" => PATH,
+        "track" => DIAMOND,
         _ => MAP_PIN,
     }
 }
@@ -23,6 +24,7 @@ pub(crate) const ARROWS_OUT_CARDINAL: &str = "\u{E0A4}";
 pub(crate) const BOUNDING_BOX: &str = "\u{E6CE}";
 pub(crate) const CAMERA: &str = "\u{E10E}";
 pub(crate) const CARET_DOWN: &str = "\u{E136}";
+pub(crate) const CHART_LINE: &str = "\u{E154}";
 pub(crate) const CHART_SCATTER: &str = "\u{EAAC}";
 pub(crate) const CHECK_CIRCLE: &str = "\u{E184}";
 pub(crate) const CIRCLE_HALF_TILT: &str = "\u{E18E}";
@@ -35,6 +37,7 @@ pub(crate) const CORNERS_OUT: &str = "\u{E1D0}";
 pub(crate) const CUBE: &str = "\u{E1DA}";
 pub(crate) const CUBE_TRANSPARENT: &str = "\u{EC7C}";
 pub(crate) const CURSOR: &str = "\u{E1DC}";
+pub(crate) const DIAMOND: &str = "\u{E1EC}";
 pub(crate) const DICE_FIVE: &str = "\u{E1EE}";
 pub(crate) const DOTS_NINE: &str = "\u{E1FC}";
 pub(crate) const DOTS_THREE: &str = "\u{E1FE}";

@@ -124,6 +124,8 @@ pub(crate) const SUN_BELOW: Color32 = Color32::from_rgb(122, 112, 96);
 pub(crate) const SUN_PATH: Color32 = Color32::from_rgb(226, 190, 110);
 /// The present hour on a strip: no sky has this colour.
 pub(crate) const NOW: Color32 = Color32::from_rgb(232, 48, 58);
+/// Behind the switch of what keys by itself.
+pub(crate) const AUTO_KEY: Color32 = Color32::from_rgb(190, 36, 44);
 /// Behind text in the viewport.
 pub(crate) const VIEWPORT_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 110);
 /// Text in the viewport, on that shade.
@@ -267,6 +269,21 @@ pub(crate) fn warning(ui: &Ui) -> Color32 {
 /// From one colour towards another by that share.
 pub(crate) fn mix(from: Color32, to: Color32, share: f32) -> Color32 {
     from.lerp_to_gamma(to, share)
+}
+
+/// A key, and what is keyed.
+pub(crate) fn key(ui: &Ui) -> Color32 {
+    if ui.visuals().dark_mode { Color32::from_rgb(244, 202, 78) } else { Color32::from_rgb(168, 112, 0) }
+}
+
+/// What was changed since it was keyed.
+pub(crate) fn changed_key(ui: &Ui) -> Color32 {
+    if ui.visuals().dark_mode { Color32::from_rgb(255, 112, 76) } else { Color32::from_rgb(190, 54, 12) }
+}
+
+/// What could be keyed.
+pub(crate) fn no_key(ui: &Ui) -> Color32 {
+    if ui.visuals().dark_mode { Color32::from_gray(104) } else { Color32::from_gray(158) }
 }
 
 /// Around a handle in a colour of the artist's.

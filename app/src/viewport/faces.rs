@@ -2,6 +2,7 @@
 //!
 //! They are widgets, so they take the pointer before the viewport does, and arrow keys move a focused one by a step.
 
+use super::places::Places;
 use super::screen::Screen;
 use crate::state::{Action, Item, Reading, Tool, box_of};
 use crate::theme;
@@ -141,7 +142,7 @@ fn the_box<'a>(reading: &Reading<'a>) -> Option<(ModelSpace, ModelId, &'a CloudB
         return None;
     }
     let cloud = view.selection.cloud(scene).filter(|cloud| view.can_pick(cloud) && cloud.scale > 0.0)?;
-    Some((ModelSpace::of(cloud), *model, box_of(scene, *model, *id)?))
+    Some((ModelSpace::of(&Places::of(reading).seen(cloud)), *model, box_of(scene, *model, *id)?))
 }
 
 fn snap_m(ui: &Ui, reading: &Reading<'_>) -> Option<f64> {

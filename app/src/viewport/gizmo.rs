@@ -6,7 +6,7 @@
 
 use super::screen::Screen;
 use super::targets::{Act, Targets};
-use crate::state::{Action, Reading, Tool};
+use crate::state::{Action, Reading, TimelineChange, Tool};
 use crate::theme;
 use cloudwright_core::camera::NEAR_M;
 use egui::epaint::{Vertex, WHITE_UV};
@@ -124,7 +124,9 @@ impl Held {
             Act::Turn(..) => "Rotate",
             Act::Stretch(_) => "Scale",
         };
-        let edits = self.targets.edits(act, reading.session.scene());
+        let mut edits = self.targets.edits(act, reading.session.scene());
+        let keyed = super::keyed_clouds::edits(&self.targets, act, reading, &mut edits);
+        actions.extend(keyed.map(|targets| Action::Timeline(TimelineChange::Unkeyed(targets))));
         actions.push(Action::Change { name, edits, live: true });
     }
 }

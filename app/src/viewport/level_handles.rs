@@ -4,6 +4,7 @@
 //! It shows while the panel of colour levels does. A cloud that the view looks down on, or that is too small to take a
 //! handle of, has none.
 
+use super::places::Places;
 use crate::state::{Action, Reading, color_levels};
 use crate::theme;
 use crate::widget::{Handle, LEVEL_STEP, choose_level, chosen_level, color32};
@@ -32,18 +33,22 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
     let Some((cloud, model)) = placed.and_then(|cloud| reading.session.placed(cloud.id)).zip(model) else {
         return;
     };
-    let Some(scale) = Scale::new(cloud, view, rect) else { return };
+    // The eye stands to the cloud at rest as it does to the cloud where it is seen.
+    let carried = placed.map_or(cloud.origin, |placed| Places::of(reading).middle(placed)) - cloud.origin;
+    let view = View { eye: view.eye - carried, ..*view };
+    let Some(scale) = Scale::new(cloud, &view, rect) else { return };
     let painter = ui.painter_at(rect);
     painter.line_segment([scale.bottom, scale.top], Stroke::new(3.0, theme::VIEWPORT_SHADE));
     painter.line_segment([scale.bottom, scale.top], Stroke::new(1.0, theme::VIEWPORT_TEXT));
 
-    let mut levels = model.color_levels;
+    let shown = color_levels::shown(reading, model);
+    let mut levels = shown;
     let mut live = false;
     let mut chosen = chosen_level(ui.ctx());
     let mut beside = 0.0;
-    for (index, level) in model.color_levels.iter().enumerate() {
+    for (index, level) in shown.iter().enumerate() {
         let at = scale.at(level.height);
-        let near = index > 0 && scale.at(model.color_levels[index - 1].height).distance(at) < 2.0 * RADIUS;
+        let near = index > 0 && scale.at(shown[index - 1].height).distance(at) < 2.0 * RADIUS;
         beside = if near { beside + 2.0 * RADIUS + 1.0 } else { 0.0 };
         let middle = at + vec2(beside, 0.0);
         if !rect.contains(middle) {
@@ -59,7 +64,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
         }
         .show(ui, |start, way| scale.height(scale.at(start) + way));
         if let Some(height) = handled.wanted {
-            levels = color_levels::moved(model.color_levels, index, height);
+            levels = color_levels::moved(shown, index, height);
             live = handled.live;
         }
         let tag = handled.response;

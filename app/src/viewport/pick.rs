@@ -4,6 +4,7 @@
 //! behind, then the clouds behind with theirs, and starts anew. Marked sprites and drawn cameras come first.
 
 use super::cameras;
+use super::places;
 use super::screen::Screen;
 use super::wireframe::shows_boxes_of;
 use crate::state::{Item, Reading, SpriteMarks};
@@ -151,8 +152,9 @@ fn meet(
     by_sprite.retain(|id, _| may_pick(*id).0);
     let model = reading.session.scene().model(cloud.model)?;
     let passed = model.boxes.iter().filter(|each| !by_sprite.contains_key(&each.id) && may_pick(each.id).0);
+    let place = places::seen_as(reading, cloud, now);
     let mut by_box: Vec<(f32, BoxId)> =
-        passed.filter_map(|each| Some((enters(cloud, each, ray, screen)?, each.id))).collect();
+        passed.filter_map(|each| Some((enters(&place, each, ray, screen)?, each.id))).collect();
     let nearest_sprite = by_sprite.values().copied().reduce(f32::min);
     let nearest_box = by_box.iter().map(|(depth, _)| *depth).reduce(f32::min);
     let depth = nearest_sprite.or(nearest_box.filter(|_| shows_boxes_of(cloud, reading.view)))?;

@@ -3,6 +3,7 @@
 //! Every frame of a drag starts from there, so nothing drifts. Boxes and sprites are moved in the world of the cloud
 //! that they are seen in. What is locked or hidden stays. A thing whose whole is selected too moves with the whole.
 
+use super::places::Places;
 use crate::state::{Item, Reading, Tool, ViewState, box_of, group_of};
 use cloudwright_core::arrange::{ModelSpace, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
@@ -26,7 +27,8 @@ pub(super) enum Act {
 /// The selected things, from the beginning of a drag.
 #[derive(Debug, Clone)]
 pub(super) struct Targets {
-    clouds: Vec<Cloud>,
+    /// Where they are seen, and how far the air has carried them there.
+    clouds: Vec<(Cloud, DVec3)>,
     boxes: Vec<(ModelSpace, ModelId, CloudBox)>,
     /// Cameras, paths and what else has poses, each in an edit that would leave it as it was, with the pose that is
     /// worked on, if it is one.
@@ -54,9 +56,9 @@ impl Targets {
             pivot: DVec3::ZERO,
             turn: DQuat::IDENTITY,
         };
-        let mut places = Vec::new();
+        let (seen, mut places) = (Places::of(reading), Vec::new());
         for item in view.selection.items() {
-            places.extend(targets.add(*item, tool, reading, scene));
+            places.extend(targets.add(*item, tool, &seen, reading, scene));
         }
         targets.pivot = places.iter().copied().reduce(|a, b| a + b)? / places.len() as f64;
         if let ([(space, _, only)], 1) = (targets.boxes.as_slice(), places.len()) {
@@ -66,18 +68,27 @@ impl Targets {
     }
 
     /// Adds one thing; its place in the world.
-    fn add(&mut self, item: Item, tool: Tool, reading: &Reading<'_>, scene: &Scene) -> Option<DVec3> {
+    fn add(
+        &mut self,
+        item: Item,
+        tool: Tool,
+        places: &Places<'_>,
+        reading: &Reading<'_>,
+        scene: &Scene,
+    ) -> Option<DVec3> {
         let view = reading.view;
         match item {
             Item::Cloud(id) => {
                 let cloud = scene.cloud(id).filter(|cloud| view.can_pick(cloud))?;
-                self.clouds.push(cloud.clone());
-                Some(reading.session.placed(id).map_or(cloud.position, |placed| placed.origin))
+                let now = places.seen(cloud).into_owned();
+                let middle = places.middle(cloud);
+                self.clouds.push((now, places.drift(cloud)));
+                Some(middle)
             }
             Item::Box(model, id) => {
                 let cloud = seen_in(model, view, scene)?;
                 let each = box_of(scene, model, id).filter(|_| may_move(item, model, view, scene))?;
-                let space = ModelSpace::of(cloud);
+                let space = ModelSpace::of(&places.seen(cloud));
                 self.boxes.push((space, model, each.clone()));
                 Some(space.to_world(each.center))
             }
@@ -132,10 +143,18 @@ impl Targets {
         self.boxes.len() == 1 && self.clouds.is_empty() && self.posed.is_empty()
     }
 
-    /// What brings all of them where `act` says. `scene` is the one of this frame.
+    /// The clouds where `act` brings them, without what the air does.
+    pub(super) fn moved_clouds(&self, act: Act) -> impl Iterator<Item = Cloud> {
+        self.clouds.iter().map(move |(cloud, drift)| {
+            let moved = self.cloud(cloud, act);
+            let position = if *drift == DVec3::ZERO { moved.position } else { short(moved.position - *drift) };
+            Cloud { position, ..moved }
+        })
+    }
+
+    /// What brings all but clouds where `act` says. `scene` is the one of this frame.
     pub(super) fn edits(&self, act: Act, scene: &Scene) -> Vec<Edit> {
         let mut edits = Vec::new();
-        edits.extend(self.clouds.iter().map(|cloud| Edit::Cloud(ListEdit::Replace(self.cloud(cloud, act)))));
         edits.extend(
             self.boxes
                 .iter()

@@ -1,24 +1,32 @@
-//! Outlines of boxes, painted over the picture. Edges behind their own box are fainter.
+//! Outlines of boxes, painted over the picture where the clock has their clouds. Edges behind their own box are fainter.
 
+use super::places::Places;
 use super::screen::Screen;
-use crate::state::{Item, ViewState};
+use crate::state::{Item, Reading, ViewState};
 use crate::theme;
 use cloudwright_core::arrange::ModelSpace;
-use cloudwright_core::scene::{Cloud, CloudBox, Scene};
+use cloudwright_core::scene::{Cloud, CloudBox};
 use cloudwright_core::sprites::GroupKey;
 use egui::{Color32, Painter, Stroke};
 use glam::{DVec3, Vec3};
+use std::rc::Rc;
 
 /// Corner indices: bit 0 is x, bit 1 y, bit 2 z. Four edges along each axis.
 const EDGES: [(usize, usize); 12] =
     [(0, 1), (2, 3), (4, 5), (6, 7), (0, 2), (1, 3), (4, 6), (5, 7), (0, 4), (1, 5), (2, 6), (3, 7)];
 
 /// Paints the boxes that the selection asks for, and all if the view says so.
-pub(super) fn paint(painter: &Painter, screen: &Screen, scene: &Scene, state: &ViewState) {
+pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
+    let (scene, state) = (reading.session.scene(), reading.view);
+    let places = Places::of(reading);
     // What is selected comes last, on top.
     let mut on_top = Vec::new();
     for cloud in scene.clouds.iter().filter(|cloud| state.shows(cloud)) {
+        if !shows_boxes_of(cloud, state) {
+            continue;
+        }
         let Some(model) = scene.model(cloud.model) else { continue };
+        let now = Rc::new(places.seen(cloud).into_owned());
         for each in &model.boxes {
             if state.hidden.contains(&Item::Box(model.id, each.id)) {
                 continue;
@@ -28,8 +36,8 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, scene: &Scene, state: &V
             let tint = state.group_view.then(|| tint(each));
             let tinted = |stroke: Stroke| Stroke { color: tint.unwrap_or(stroke.color), ..stroke };
             match (stroke, other) {
-                (Some(stroke), _) => on_top.push((cloud, each, tinted(stroke))),
-                (None, Some(other)) => outline(painter, screen, cloud, each, tinted(other)),
+                (Some(stroke), _) => on_top.push((Rc::clone(&now), each, tinted(stroke))),
+                (None, Some(other)) => outline(painter, screen, &now, each, tinted(other)),
                 (None, None) => {}
             }
         }
@@ -37,9 +45,9 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, scene: &Scene, state: &V
     on_top.sort_by(|a, b| a.2.width.total_cmp(&b.2.width));
     for (cloud, each, stroke) in on_top {
         if stroke.width >= theme::SELECTED_BOX.width {
-            outline(painter, screen, cloud, each, theme::casing(stroke));
+            outline(painter, screen, &cloud, each, theme::casing(stroke));
         }
-        outline(painter, screen, cloud, each, stroke);
+        outline(painter, screen, &cloud, each, stroke);
     }
 }
 

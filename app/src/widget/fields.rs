@@ -3,9 +3,13 @@
 //! Shown are the values of the first thing; where those of the others differ, the field says that they are mixed. What
 //! is changed is set in all of them, property by property. Each value has a name, also for screen readers and tests: the
 //! property's label, and for parts of a vector or range the label and the part.
+//!
+//! Of things whose owners are told, values that a track moves are shown as they are at the clock's time ([`keyed`]).
 
 mod choice;
 pub(super) mod color;
+mod key;
+mod keyed;
 mod number;
 mod picker;
 mod refusal;
@@ -15,10 +19,11 @@ mod text;
 use crate::state::{Action, Reading};
 use crate::theme;
 use cloudwright_core::document::Edit;
-use cloudwright_core::property::{Choice, Described, Kind, Property, Row, Value};
+use cloudwright_core::property::{Choice, Described, Kind, Owner, Property, Row, Value};
 use egui::{Grid, Response, RichText, Ui};
 
 pub(crate) use color::{brightness_field, color_field, color32};
+pub(crate) use key::{field_to_key, key_button};
 pub(crate) use number::number_field;
 
 /// In the place of values that differ.
@@ -33,6 +38,9 @@ pub(crate) struct Fields<'a, T: 'static> {
     inherited: Box<dyn Fn(&T, &Property) -> Option<Value> + 'a>,
     /// The shading groups that there are to choose from.
     groups: Vec<(Value, String)>,
+    /// Whose values they are in tracks; none if they have none.
+    owners: Vec<Owner>,
+    asked: Vec<Action>,
     changes: Vec<Change<T>>,
 }
 
@@ -48,7 +56,15 @@ enum Change<T: 'static> {
 impl<'a, T: Clone + PartialEq> Fields<'a, T> {
     /// For `things`, of which the first one's values are shown.
     pub(crate) fn of(things: &'a [&'a T], reading: &'a Reading<'a>) -> Self {
-        Self { things, reading, inherited: Box::new(|_, _| None), groups: Vec::new(), changes: Vec::new() }
+        Self {
+            things,
+            reading,
+            inherited: Box::new(|_, _| None),
+            groups: Vec::new(),
+            owners: Vec::new(),
+            asked: Vec::new(),
+            changes: Vec::new(),
+        }
     }
 
     /// Where a thing has no value of its own, what `inherited` says is shown.
@@ -59,6 +75,11 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
     /// With these shading groups to choose from.
     pub(crate) fn with_groups(self, groups: impl Iterator<Item = (u64, String)>) -> Self {
         Self { groups: groups.map(|(id, name)| (Value::Whole(id), name)).collect(), ..self }
+    }
+
+    /// Whose values they are, in the things' order: what can be keyed shows its diamond.
+    pub(crate) fn owned(self, owners: impl IntoIterator<Item = Owner>) -> Self {
+        Self { owners: owners.into_iter().collect(), ..self }
     }
 
     /// Shows `rows` in two columns. What was changed there is set in all things, by the edits that `edit` makes of the
@@ -75,26 +96,29 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
             return;
         }
         Grid::new(name).num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| rows(&mut self, ui));
+        actions.append(&mut self.asked);
         if self.changes.is_empty() {
             return;
         }
-        let changed = |(at, thing): (usize, &&T)| {
-            let after = self.changed(thing);
-            (after != **thing).then(|| edit(at, after))
-        };
-        let edits: Vec<Edit> = self.things.iter().enumerate().filter_map(changed).collect();
-        let live = ui.input(|input| input.pointer.any_down());
-        if !edits.is_empty() {
-            actions.push(Action::Change { name, edits, live });
+        let mut keyed = keyed::Changed::default();
+        let mut edits: Vec<Edit> = Vec::new();
+        for (at, thing) in self.things.iter().enumerate() {
+            let after = self.changed(at, thing, &mut keyed);
+            if after != **thing {
+                edits.push(edit(at, after));
+            }
         }
+        let live = ui.input(|input| input.pointer.any_down());
+        keyed.ask(name, edits, live, self.reading, actions);
     }
 
-    /// `thing` after all changes. What it does not have, such as when a cloud begins that does not form, it does not get.
-    fn changed(&self, thing: &T) -> T {
+    /// `thing` after all changes but those that are set as keys. What it does not have, such as when a cloud begins that
+    /// does not form, it does not get.
+    fn changed(&self, at: usize, thing: &T, keyed: &mut keyed::Changed) -> T {
         let mut thing = thing.clone();
         for change in &self.changes {
             let _ = match change {
-                Change::Set(row, part, value) => row.set(&mut thing, *part, value),
+                Change::Set(row, part, value) => self.set_in(&mut thing, at, (*row, *part, value), keyed),
                 Change::Roll(row) => self.roll(row, &mut thing),
                 Change::Own(row, own) => self.own(row, &mut thing, *own),
             };
@@ -119,7 +143,7 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
 
     /// A row under that label; nothing if the first thing does not have it.
     pub(crate) fn row(&mut self, ui: &mut Ui, row: &'static Row<T>, label: &str) {
-        let Some(value) = self.things.first().and_then(|first| row.value(first, 0)) else { return };
+        let Some(value) = self.value(row, 0, 0) else { return };
         match row.property.kind {
             Kind::Number(_) | Kind::Angle(_) | Kind::Integer(_) | Kind::Color(_) => self.numbers(ui, row, label),
             Kind::Seed => self.seed(ui, row, label),
@@ -162,13 +186,30 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
 }
 
 /// A row's name in the first column, and what `values` puts beside it.
-fn named(ui: &mut Ui, label: &str, doc: &str, values: impl FnOnce(&mut Ui)) {
+fn row_of(ui: &mut Ui, indent: f32, label: &str, doc: &str, values: impl FnOnce(&mut Ui)) {
+    named(ui, indent, label, doc);
+    ui.horizontal(values);
+    ui.end_row();
+}
+
+/// A row's name.
+fn named(ui: &mut Ui, indent: f32, label: &str, doc: &str) {
+    if indent > 0.0 {
+        ui.horizontal(|ui| {
+            ui.spacing_mut().item_spacing.x = 0.0;
+            ui.add_space(indent);
+            name_with(ui, label, doc);
+        });
+    } else {
+        name_with(ui, label, doc);
+    }
+}
+
+fn name_with(ui: &mut Ui, label: &str, doc: &str) {
     let name = ui.label(label);
     if !doc.is_empty() {
         name.on_hover_text(doc);
     }
-    ui.horizontal(values);
-    ui.end_row();
 }
 
 /// A line between groups of rows.
@@ -176,6 +217,14 @@ pub(crate) fn heading(ui: &mut Ui, text: &str) {
     ui.add_space(theme::GAP);
     ui.label(RichText::new(text).strong());
     ui.separator();
+}
+
+/// A button that is painted by hand, for screen readers and tests.
+pub(crate) fn name_button(ui: &Ui, response: &Response, name: &str) {
+    ui.ctx().accesskit_node_builder(response.id, |node| {
+        node.set_role(egui::accesskit::Role::Button);
+        node.set_label(name);
+    });
 }
 
 /// What screen readers call it, and tests.

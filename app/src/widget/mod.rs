@@ -8,7 +8,10 @@ pub(crate) mod kept;
 mod picture_choice;
 
 pub(crate) use chosen_level::{LEVEL_STEP, choose_level, chosen_level};
-pub(crate) use fields::{Fields, brightness_field, color_field, color32, heading, name_it, number_field};
+pub(crate) use fields::{
+    Fields, brightness_field, color_field, color32, field_to_key, heading, key_button, name_button, name_it,
+    number_field,
+};
 pub(crate) use handle::{Handle, Handled};
 pub(crate) use kept::Kept;
 pub use picture_choice::{category_choice, preset_choice};

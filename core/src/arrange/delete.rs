@@ -1,11 +1,12 @@
 //! Any mix of things out of the scene, with what hangs on them.
 //!
-//! A model takes its clouds along, a path its aircraft; a group sets free the boxes and sprites that were in it; a sprite is dropped by
-//! hand, so that it stays away when others are strewn. A model whose last cloud goes stays: it can be placed again.
+//! A model takes its clouds along, a path its aircraft, and everything its tracks; a group sets free the boxes and sprites
+//! that were in it; a sprite is dropped by hand, so that it stays away when others are strewn. A model whose last cloud
+//! goes stays: it can be placed again.
 
 use super::copy::groups_of;
 use super::sprites::change_edits;
-use super::{Arrangement, Plan};
+use super::{Arrangement, Plan, keys};
 use crate::document::{Edit, ListEdit};
 use crate::scene::{CloudModel, ForKind, Listed, Scene, Thing, for_each_kind};
 use std::collections::BTreeSet;
@@ -14,7 +15,8 @@ use std::collections::BTreeSet;
 pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
     let mut doom = Doom { scene, doomed: things.iter().copied().collect() };
     for_each_kind(&mut doom);
-    let doomed = doom.doomed;
+    let mut doomed = doom.doomed;
+    doomed.extend(keys::doomed(scene, &doomed));
     let mut plan = Plan::new(scene);
     let listed = doomed.iter().filter(|thing| thing.listed(scene).is_some());
     plan.edits.extend(listed.filter_map(|thing| Edit::removing(*thing)));
@@ -77,7 +79,7 @@ mod tests {
     use super::super::test_scenes::{applied, two_clouds};
     use super::*;
     use crate::problem::scene_with_flight;
-    use crate::scene::{ModelId, PathId, SpriteEdit};
+    use crate::scene::{KeyValue, ModelId, PathId, SpriteEdit, Track, TrackId, TrackKey};
 
     #[test]
     fn any_mix_goes_and_nothing_points_at_it() {
@@ -108,6 +110,38 @@ mod tests {
         let dropped = SpriteEdit { index: 5, moved: None, dropped: true, group: None };
         assert_eq!(model.boxes[0].sprite_edits, [dropped]);
         assert_eq!((model.boxes[1].group, model.boxes[1].sprite_edits.len()), (None, 0));
+    }
+
+    #[test]
+    fn tracks_go_with_what_they_move() {
+        let mut scene = two_clouds();
+        let (model, cloud, camera) = (scene.models[1].id, scene.clouds[1].id, scene.cameras[0].id);
+        let (group, other) = (scene.models[1].groups[0].id, scene.clouds[0].id);
+        let properties = [
+            format!("cloud/{cloud}/opacity"),
+            format!("model/{model}/color_levels/2/height"),
+            format!("model/{model}/group/{group}/light/c_max"),
+            format!("camera/{camera}/position"),
+            format!("cloud/{other}/position"),
+            "sky/exposure_ev".into(),
+        ];
+        for property in &properties {
+            let parts = property.parse::<crate::property::Target>().expect("a property").parts();
+            let value = if parts == 3 { KeyValue::Three([0.5; 3]) } else { KeyValue::One(0.5) };
+            let id = TrackId::new(&mut scene.next_id);
+            scene.tracks.push(Track::new(id, property.clone(), vec![TrackKey::new(1.0, value)]));
+        }
+        for (thing, gone) in [
+            (Thing::Cloud(cloud), vec![0]),
+            (Thing::Group(model, group), vec![2]),
+            (Thing::Model(model), vec![0, 1, 2]),
+            (Thing::Camera(camera), vec![3]),
+        ] {
+            let after = applied(&scene, &things(&scene, &[thing]));
+            let left: Vec<&str> = after.tracks.iter().map(|track| track.property.as_str()).collect();
+            let kept = properties.iter().enumerate().filter(|(at, _)| !gone.contains(at));
+            assert_eq!(left, kept.map(|(_, property)| property.as_str()).collect::<Vec<_>>(), "{thing:?}");
+        }
     }
 
     #[test]

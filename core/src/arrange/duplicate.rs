@@ -1,8 +1,10 @@
 //! Copies beside the originals: clouds of the same model or of one of their own, boxes, cameras, paths, aircraft.
 //!
 //! A copy looks like its original ([`super`] says how). A copied box therefore repeats its original's sprites;
-//! another `key` rolls it anew. Copies at the very place of their originals lose their sprites to the cull.
+//! another `key` rolls it anew. Copies at the very place of their originals lose their sprites to the cull. Tracks are
+//! copied with what they move.
 
+use super::copied::Copied;
 use super::copy::{copy_model, copy_parts};
 use super::{Arrangement, Names, Plan, Thing, at_end, chosen};
 use crate::document::{Edit, ListEdit};
@@ -25,17 +27,20 @@ pub fn clouds(scene: &Scene, ids: &[CloudId], offset: DVec3, copy: Copy) -> Arra
     let mut names = Names::new(scene.clouds.iter().map(|cloud| cloud.name.as_str()));
     let mut model_names = model_names(scene);
     let mut own: BTreeMap<ModelId, ModelId> = BTreeMap::new();
+    let mut copies = Copied::default();
     for old in chosen(&scene.clouds, ids) {
         let model = match (copy, scene.model(old.model)) {
             (Copy::Own, Some(model)) => *own.entry(old.model).or_insert_with(|| {
                 let new = copy_model(model, model_names.free(&model.name), &mut plan.next_id);
                 let id = new.id;
+                copies.model(model, &new);
                 plan.insert_model(new);
                 id
             }),
             _ => old.model,
         };
         let id = CloudId::new(&mut plan.next_id);
+        copies.thing(Thing::Cloud(old.id), Thing::Cloud(id));
         plan.insert_cloud(Cloud {
             id,
             name: names.free(&old.name),
@@ -45,6 +50,7 @@ pub fn clouds(scene: &Scene, ids: &[CloudId], offset: DVec3, copy: Copy) -> Arra
         });
         plan.made.push(Thing::Cloud(id));
     }
+    copies.insert_tracks(&mut plan, offset);
     plan.done()
 }
 
@@ -53,6 +59,7 @@ pub fn make_own(scene: &Scene, ids: &[CloudId]) -> Arrangement {
     let mut plan = Plan::new(scene);
     let mut names = model_names(scene);
     let mut users: BTreeMap<ModelId, usize> = BTreeMap::new();
+    let mut copies = Copied::default();
     for cloud in &scene.clouds {
         *users.entry(cloud.model).or_default() += 1;
     }
@@ -63,11 +70,13 @@ pub fn make_own(scene: &Scene, ids: &[CloudId]) -> Arrangement {
         }
         *count -= 1;
         let new = copy_model(model, names.free(&model.name), &mut plan.next_id);
+        copies.model(model, &new);
         let cloud = Cloud { model: new.id, ..old.clone() };
         plan.insert_model(new);
         plan.edits.push(Edit::Cloud(ListEdit::Replace(cloud)));
         plan.made.push(Thing::Cloud(old.id));
     }
+    copies.insert_tracks(&mut plan, DVec3::ZERO);
     plan.done()
 }
 
@@ -75,6 +84,7 @@ pub fn make_own(scene: &Scene, ids: &[CloudId]) -> Arrangement {
 pub fn boxes(scene: &Scene, model: ModelId, ids: &[BoxId], offset: DVec3) -> Arrangement {
     let mut plan = Plan::new(scene);
     let Some(model) = scene.model(model) else { return plan.done() };
+    let mut copied = Copied::default();
     for old in chosen(&model.boxes, ids) {
         let (_, copies) = copy_parts([], [old], &mut plan.next_id);
         for mut new in copies {
@@ -82,10 +92,12 @@ pub fn boxes(scene: &Scene, model: ModelId, ids: &[BoxId], offset: DVec3) -> Arr
             // Within one model, the groups stay.
             new.group = old.group;
             new.sprite_edits.clone_from(&old.sprite_edits);
+            copied.thing(Thing::Box(model.id, old.id), Thing::Box(model.id, new.id));
             plan.made.push(Thing::Box(model.id, new.id));
             plan.edits.push(Edit::Box(model.id, at_end(new)));
         }
     }
+    copied.insert_tracks(&mut plan, DVec3::ZERO);
     plan.done()
 }
 
@@ -93,22 +105,26 @@ pub fn boxes(scene: &Scene, model: ModelId, ids: &[BoxId], offset: DVec3) -> Arr
 /// original steps aside; aircraft on a copied path stay on the old one. Clouds and models are copied by [`clouds`].
 pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
     let chosen: BTreeSet<Thing> = things.iter().copied().collect();
-    let mut copies = Copies { plan: Plan::new(scene), chosen };
+    let mut copies = Copies { plan: Plan::new(scene), chosen, copied: Copied::default() };
     for_each_kind(&mut copies);
+    copies.copied.insert_tracks(&mut copies.plan, DVec3::ZERO);
     copies.plan.done()
 }
 
 struct Copies<'a> {
     plan: Plan<'a>,
     chosen: BTreeSet<Thing>,
+    copied: Copied,
 }
 
 impl ForKind for Copies<'_> {
     fn kind<T: Listed>(&mut self) {
-        let Self { plan, chosen } = self;
+        let Self { plan, chosen, copied } = self;
         let list = T::list(plan.scene);
         let mut names = Names::new(list.iter().map(InScene::name));
-        let is_whole = |thing: &Thing| !matches!(thing, Thing::Model(_) | Thing::Cloud(_)) && chosen.contains(thing);
+        let is_whole = |thing: &Thing| {
+            !matches!(thing, Thing::Model(_) | Thing::Cloud(_) | Thing::Track(_)) && chosen.contains(thing)
+        };
         for thing in list.iter().map(|value| T::thing(value.id())).filter(is_whole) {
             let Some((mut edit, copy)) = Edit::copying(plan.scene, thing, &mut plan.next_id) else { continue };
             if let Some(new) = edit.value_mut() {
@@ -117,6 +133,7 @@ impl ForKind for Copies<'_> {
             }
             plan.edits.push(edit);
             plan.made.push(copy);
+            copied.thing(thing, copy);
         }
     }
 }

@@ -9,11 +9,13 @@
 //! their random numbers are drawn by, so a copy looks like its original, hand-made changes to single sprites included.
 
 pub mod auto_group;
+mod copied;
 mod copy;
 pub mod delete;
 pub mod duplicate;
 pub mod group;
 pub mod join;
+pub mod keys;
 pub mod mirror;
 mod model_space;
 mod names;

@@ -3,6 +3,7 @@
 mod add;
 mod arrange;
 mod flight;
+mod keys;
 mod shade;
 mod view;
 
@@ -32,6 +33,8 @@ impl Editor {
                 Action::LookThrough(id) => self.look_through(id),
                 Action::SetFromView(id) => self.set_from_view(id),
                 Action::Change { name, edits, live } => self.change(name, edits, live),
+                Action::Keys { name, rekeyed, live, choose } => self.change_keys(&name, rekeyed, live, choose),
+                Action::Timeline(change) => self.change_timeline(change),
                 Action::View(change) => self.change_view(change),
                 Action::Chart(change) => self.change_chart(change, context),
                 Action::CancelPending => {
@@ -42,6 +45,7 @@ impl Editor {
                 Action::ChooseModel(aircraft) => self.choose_model(aircraft, context),
                 Action::JumpTo(count) => {
                     self.session.jump_to(count);
+                    self.view.timeline.forget_changes();
                     self.view.keep_what_is_in(self.session.scene());
                 }
             }
@@ -113,8 +117,22 @@ impl Editor {
             Command::FrameAll => !self.session.derived().clouds().is_empty(),
             Command::LookThrough | Command::AlignCamera => !scene.cameras.is_empty(),
             Command::KeyAfterLast | Command::KeyAtClock | Command::AddAircraft => self.clock.path(scene).is_some(),
+            Command::AddKeys | Command::PreviousKey | Command::NextKey | Command::SelectAllKeys => {
+                !scene.tracks.is_empty()
+            }
+            Command::SelectKeysBefore | Command::SelectKeysAfter | Command::FitTimeline => !scene.tracks.is_empty(),
+            Command::SelectNoKeys => !self.view.timeline.tracks.is_empty(),
+            Command::PasteKeys => self.view.timeline.clip.is_some(),
+            Command::ClearMarks => self.clock.marks().is_some(),
+            Command::DeleteKeys | Command::CopyKeys | Command::DuplicateKeys | Command::MirrorKeys => self.has_keys(),
+            Command::SlowKeys | Command::QuickenKeys | Command::KeysStep | Command::KeysLinear => self.has_keys(),
+            Command::KeysSmooth | Command::KeysFlat | Command::KeysFree => self.has_keys(),
             _ => true,
         }
+    }
+
+    fn has_keys(&self) -> bool {
+        !self.view.timeline.tracks.is_empty()
     }
 
     /// Whether what a command switches is switched on.
@@ -134,6 +152,8 @@ impl Editor {
             Command::PlayTime => self.time_play.runs(),
             Command::PlayFlight => self.clock.plays(),
             Command::LoopFlight => self.clock.loops(),
+            Command::AutoKey => view.timeline.auto_key,
+            Command::CurveView => view.timeline.curves,
             Command::BoardFlight => self.clock.boards(),
             Command::RecordFlight => self.recording.is_some(),
             _ => false,
@@ -220,6 +240,39 @@ impl Editor {
             Command::LevelsPanel => self.layout.bring_up(Panel::ColorLevels),
             Command::GroupsPanel => self.layout.bring_up(Panel::ShadingGroups),
             Command::FlightPanel => self.layout.bring_up(Panel::Flight),
+            Command::KeyValue => self.key_value(context),
+            Command::AutoKey => self.view.timeline.auto_key ^= true,
+            Command::PreviousKey => self.seek_key(false),
+            Command::NextKey => self.seek_key(true),
+            Command::AddKeys => self.add_keys(),
+            Command::DeleteKeys
+            | Command::DuplicateKeys
+            | Command::MirrorKeys
+            | Command::SlowKeys
+            | Command::QuickenKeys
+            | Command::KeysStep
+            | Command::KeysLinear
+            | Command::KeysSmooth
+            | Command::KeysFlat
+            | Command::KeysFree => self.work_on_keys(command),
+            Command::CopyKeys => self.copy_keys(),
+            Command::PasteKeys => self.paste_keys(),
+            Command::SelectAllKeys => self.select_keys(|_| true),
+            Command::SelectNoKeys => self.view.timeline.choose_none(),
+            Command::SelectKeysBefore => {
+                let clock_s = self.clock.time_s();
+                self.select_keys(|time_s| time_s <= clock_s);
+            }
+            Command::SelectKeysAfter => {
+                let clock_s = self.clock.time_s();
+                self.select_keys(|time_s| time_s >= clock_s);
+            }
+            Command::MarkIn => self.mark(false),
+            Command::MarkOut => self.mark(true),
+            Command::ClearMarks => self.clock.set_marks(None),
+            Command::CurveView => self.view.timeline.curves ^= true,
+            Command::FitTimeline => self.view.timeline.fit += 1,
+            Command::TimelinePanel => self.layout.bring_up(Panel::Timeline),
             Command::ChartPanel => self.layout.bring_up(Panel::Chart),
             Command::SkyPanel => self.layout.bring_up(Panel::Sky),
             Command::HistoryPanel => self.layout.bring_up(Panel::History),
@@ -230,11 +283,13 @@ impl Editor {
 
     fn undo(&mut self) {
         self.session.undo();
+        self.view.timeline.forget_changes();
         self.view.keep_what_is_in(self.session.scene());
     }
 
     fn redo(&mut self) {
         self.session.redo();
+        self.view.timeline.forget_changes();
         self.view.keep_what_is_in(self.session.scene());
     }
 }

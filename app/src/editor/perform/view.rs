@@ -24,7 +24,9 @@ impl Editor {
 
     pub(super) fn look_through(&mut self, id: CameraId) {
         if let Some(camera) = self.session.scene().cameras.with_id(id) {
-            self.viewport.look_through(camera, &self.session);
+            // As its tracks have it now.
+            let camera = self.session.derived().timeline().camera_at(camera, self.clock.time_s());
+            self.viewport.look_through(&camera, &self.session);
         }
     }
 

@@ -4,6 +4,7 @@
 //! What a hand does to the primary's levels is done to those of all selected models. The level that was touched last
 //! is the chosen one, here and on the cloud in the viewport.
 
+mod keys;
 mod scale;
 mod silhouette;
 mod table;
@@ -31,11 +32,13 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
         if models.len() > 1 {
             ui.weak(format!("{} models: changes go to all of them", models.len()));
         }
-        let mut levels = model.color_levels;
+        let mut levels = color_levels::shown(reading, model);
         let mut chosen = chosen_level(ui.ctx());
         let room = room - (ui.cursor().top() - top) - table::height(ui);
         scale::show(ui, room, reading, &mut levels, &mut chosen);
-        table::show(ui, &mut levels, &mut chosen);
+        let level = chosen;
+        let mut diamond = |ui: &mut Ui, path: &str| keys::show(ui, &models, level, path, reading, actions);
+        table::show(ui, &mut levels, &mut chosen, &mut diamond);
         choose_level(ui.ctx(), chosen);
         let live = ui.input(|input| input.pointer.any_down());
         actions.extend(color_levels::change(reading, &levels, live));

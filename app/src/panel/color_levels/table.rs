@@ -12,15 +12,24 @@ pub(super) fn height(ui: &Ui) -> f32 {
     6.0 * (spacing.interact_size.y + spacing.item_spacing.y) + spacing.item_spacing.y
 }
 
-/// Fields change `levels`, and the one that is touched is `chosen`.
-pub(super) fn show(ui: &mut Ui, levels: &mut ColorLevels, chosen: &mut usize) {
+/// Fields change `levels`, and the one that is touched is `chosen`. `diamond` shows that of a value of the chosen one, by
+/// its place in a level.
+pub(super) fn show(ui: &mut Ui, levels: &mut ColorLevels, chosen: &mut usize, diamond: &mut dyn FnMut(&mut Ui, &str)) {
     let chosen_row = levels.len() - (*chosen).min(levels.len() - 1);
     let grid = Grid::new("levels").num_columns(5).with_row_color(move |row, style| {
         (row == chosen_row).then(|| style.visuals.selection.bg_fill.gamma_multiply(0.45))
     });
     grid.show(ui, |ui| {
-        for text in ["", "Height", "Colour", "Brightness", "Opacity"] {
-            ui.weak(text);
+        for (text, path) in
+            [("", ""), ("Height", "height"), ("Colour", "color"), ("Brightness", ""), ("Opacity", "color.a")]
+        {
+            ui.horizontal(|ui| {
+                ui.spacing_mut().item_spacing.x = 2.0;
+                if !path.is_empty() {
+                    diamond(ui, path);
+                }
+                ui.weak(text);
+            });
         }
         ui.end_row();
         for index in (0..levels.len()).rev() {

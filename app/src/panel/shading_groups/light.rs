@@ -8,7 +8,7 @@ use crate::state::{Action, Item, Reading, box_of, group_of};
 use crate::widget::{Fields, heading};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{GROUP_NAME, HasLight};
+use cloudwright_core::property::{self, GROUP_NAME, HasLight};
 use cloudwright_core::scene::{CloudBox, CloudModel, GroupCenter, GroupLight, ModelId, ShadingGroup};
 use cloudwright_core::sprites::GroupKey;
 use egui::Ui;
@@ -56,6 +56,14 @@ impl Lit {
             Owner::Group(group) => Edit::Group(self.model, ListEdit::Replace(group)),
             Owner::Box(each) => Edit::Box(self.model, ListEdit::Replace(*each)),
         }
+    }
+
+    /// Whose its numbers are in tracks.
+    fn in_tracks(&self) -> property::Owner {
+        property::Owner::Thing(match &self.owner {
+            Owner::Group(group) => Item::Group(self.model, group.id),
+            Owner::Box(each) => Item::Box(self.model, each.id),
+        })
     }
 
     fn is_the_same(&self, other: &Self) -> bool {
@@ -112,7 +120,14 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
             }
             lit.edit()
         };
-        Fields::of(&all, reading).show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, Lit::LIGHT), edit);
+        let owners = lights.iter().map(Lit::in_tracks);
+        Fields::of(&all, reading).owned(owners).show(
+            ui,
+            "Change shading",
+            actions,
+            |fields, ui| fields.rows(ui, Lit::LIGHT),
+            edit,
+        );
     });
 }
 

@@ -1,6 +1,7 @@
-//! Time of day, the light over the day, the sun, the air and exposure.
+//! Time of day, the light over the day, the sun, the air and exposure, wind and weather.
 
 mod dome;
+mod hour;
 mod keys;
 mod strip;
 mod sun_path;
@@ -12,7 +13,7 @@ use crate::widget::{Fields, heading, name_it, number_field};
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::document::Edit;
 use cloudwright_core::math::clock;
-use cloudwright_core::property::{Number, TIME_OF_DAY_H};
+use cloudwright_core::property::{Number, Owner, TIME_OF_DAY_H};
 use cloudwright_core::scene::{DailyKey, DailyTable, Sky, Sun};
 use egui::{ScrollArea, Slider, SliderClamping, Ui};
 use strip::Strip;
@@ -22,6 +23,8 @@ use sun_path::SunPath;
 const TIME_STEP_H: f64 = 1.0 / 30.0;
 /// Of its field, points.
 const SPEED_WIDTH: f32 = 92.0;
+/// Of the hour's diamond, points.
+const KEY_WIDTH: f32 = 12.0;
 const TIME_SPEED: Number = Number {
     label: "Speed of time",
     unit: "h/min",
@@ -46,6 +49,8 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
         });
         heading(ui, "Air and exposure");
         air(ui, reading, actions);
+        heading(ui, "Weather");
+        weather(ui, reading, actions);
     });
 }
 
@@ -59,12 +64,14 @@ fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
             actions.push(Action::Command(Command::PlayTime));
         }
         let mut hour = reading.time_h();
-        let (fields, gaps) = (ui.spacing().interact_size.x + 2.0 * ui.spacing().button_padding.x + SPEED_WIDTH, 3.0);
+        let (fields, gaps) =
+            (ui.spacing().interact_size.x + 2.0 * ui.spacing().button_padding.x + SPEED_WIDTH + KEY_WIDTH, 4.0);
         let room = ui.available_width() - fields - gaps * ui.spacing().item_spacing.x;
         ui.spacing_mut().slider_width = room.max(60.0);
+        actions.extend(hour::key(ui, hour, reading));
         if time_slider(ui, &mut hour) {
             let live = ui.input(|input| input.pointer.any_down());
-            actions.push(Action::change("Time of day", Edit::TimeOfDay(hour), live));
+            actions.extend(hour::set(hour, live, reading));
         }
         let mut speed = reading.time_play.hours_a_minute();
         if number_field(ui, TIME_SPEED.label, &TIME_SPEED, &mut speed, false) {
@@ -150,7 +157,9 @@ fn without_alpha(table: &DailyTable<Rgba>) -> DailyTable<Rgb> {
 
 fn sun(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let scene = reading.session.scene();
-    Fields::of(&[&scene.sun], reading).show(ui, "Sun", actions, Fields::all, |_, sun| Edit::Sun(sun));
+    Fields::of(&[&scene.sun], reading)
+        .owned([Owner::Sun])
+        .show(ui, "Sun", actions, Fields::all, |_, sun| Edit::Sun(sun));
     if scene.sun == Sun::ByPlace {
         Fields::of(&[&scene.site], reading).show(ui, "Place", actions, Fields::all, |_, place| Edit::Site(place));
     }
@@ -158,5 +167,11 @@ fn sun(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
 
 fn air(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let sky = &reading.session.scene().sky;
-    Fields::of(&[sky], reading).show(ui, "Sky", actions, Fields::all, |_, sky| Edit::Sky(sky));
+    Fields::of(&[sky], reading).owned([Owner::Sky]).show(ui, "Sky", actions, Fields::all, |_, sky| Edit::Sky(sky));
+}
+
+fn weather(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let weather = &reading.session.scene().weather;
+    let edit = |_, weather| Edit::Weather(weather);
+    Fields::of(&[weather], reading).owned([Owner::Weather]).show(ui, "Weather", actions, Fields::all, edit);
 }

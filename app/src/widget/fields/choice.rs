@@ -1,6 +1,6 @@
 //! One of a few: yes or no, from a list, or a category by its picture.
 
-use super::{Fields, MIXED, MIXED_DOC, name_it, named};
+use super::{Fields, MIXED, MIXED_DOC, name_it, row_of};
 use crate::theme;
 use crate::widget::picture_choice::{category_choice, category_name};
 use cloudwright_core::property::{Row, Value};
@@ -11,7 +11,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
     /// Yes or no.
     pub(super) fn flag(&mut self, ui: &mut Ui, row: &'static Row<T>, label: &str, mut on: bool) {
         let mixed = self.differ(|thing| row.value(thing, 0));
-        let clicked = check(ui, label, row.property.doc, mixed, &mut on);
+        let clicked = check(ui, self.indent(), label, row.property.doc, mixed, &mut on);
         if clicked {
             self.set(row, 0, Value::Flag(on));
         }
@@ -27,7 +27,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let shown = all.iter().find(|(each, _)| !mixed && Some(each) == value.as_ref());
         let text = shown.map_or(if mixed { MIXED } else { "" }, |(_, name)| name);
         let mut chosen = None;
-        named(ui, label, row.property.doc, |ui| {
+        row_of(ui, self.indent(), label, row.property.doc, |ui| {
             let combo = egui::ComboBox::from_id_salt(label).selected_text(text).show_ui(ui, |ui| {
                 for (each, name) in &all {
                     let is_it = shown.is_some_and(|(shown, _)| shown == each);
@@ -56,7 +56,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let none = none.map(|(none, category)| format!("{none}: {}", category_name(category)));
         let shown = if mixed { MIXED.into() } else { own.map(category_name).or(none.clone()).unwrap_or_default() };
         let mut chosen = None;
-        named(ui, label, doc, |ui| {
+        row_of(ui, self.indent(), label, doc, |ui| {
             let menu = ui.menu_button(shown, |ui| {
                 ui.set_width(theme::CATEGORIES_WIDTH);
                 if let Some(none) = none
@@ -77,9 +77,9 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
 }
 
 /// A box to tick, in the second column. Whether it was clicked.
-pub(super) fn check(ui: &mut Ui, label: &str, doc: &str, mixed: bool, on: &mut bool) -> bool {
+pub(super) fn check(ui: &mut Ui, indent: f32, label: &str, doc: &str, mixed: bool, on: &mut bool) -> bool {
     let mut clicked = false;
-    named(ui, "", "", |ui| {
+    row_of(ui, indent, "", "", |ui| {
         let ticked = ui.add(Checkbox::new(on, label).indeterminate(mixed));
         clicked = ticked.clicked();
         ticked.on_hover_text(if mixed { format!("{doc}\n{MIXED_DOC}") } else { doc.into() });

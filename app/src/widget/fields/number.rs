@@ -1,6 +1,6 @@
 //! The one field for a number.
 
-use super::{Fields, MIXED, MIXED_DOC, name_it, named, refusal};
+use super::{Fields, MIXED, MIXED_DOC, name_it, refusal};
 use crate::theme;
 use cloudwright_core::property::{Kind, Number, Parts, Row, Value};
 use egui::{DragValue, Response, Ui};
@@ -12,22 +12,26 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let property = &row.property;
         let Some(number) = property.kind.number() else { return };
         let whole = matches!(property.kind, Kind::Integer(_));
-        named(ui, label, property.doc, |ui| {
+        let values = self.values(row);
+        self.name_with_key(ui, label, property.doc, &values);
+        let numbers = ui.horizontal(|ui| {
             for (part, part_label) in property.parts.labels().iter().enumerate() {
                 if part > 0 && property.parts == Parts::Ends {
                     ui.label("to");
                 }
-                let Some(Value::Number(mut value)) = self.things.first().and_then(|first| row.value(first, part))
-                else {
-                    continue;
-                };
-                let mixed = self.differ(|thing| row.value(thing, part));
+                let Some(Value::Number(mut value)) = self.value(row, part, 0) else { continue };
+                if self.is_moved(row) {
+                    value = in_short(value);
+                }
+                let mixed = self.parts_differ(row, part);
                 let name = format!("{label} {part_label}");
                 if field(ui, name.trim_end(), number, &mut value, Look { whole, mixed }) {
                     self.set(row, part, Value::Number(if whole { value.trunc() } else { value }));
                 }
             }
         });
+        self.note_pointer(ui, numbers.response.rect, label, &values);
+        ui.end_row();
     }
 }
 
@@ -36,6 +40,17 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
 /// What is typed and lies outside is not taken: the field keeps its value and says for a while which range it has.
 pub(crate) fn number_field(ui: &mut Ui, name: &str, number: &Number, value: &mut f64, whole: bool) -> bool {
     field(ui, name, number, value, Look { whole, mixed: false })
+}
+
+/// What a track makes of a number, without digits that nobody reads.
+fn in_short(value: f64) -> f64 {
+    let parts = match value.abs() {
+        1000.0.. => 1.0,
+        100.0.. => 10.0,
+        10.0.. => 100.0,
+        _ => 1000.0,
+    };
+    (value * parts).round() / parts
 }
 
 /// How a number is shown.

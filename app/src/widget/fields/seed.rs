@@ -1,7 +1,7 @@
 //! Seeds: any whole number, no use in dragging it. The dice roll another one, for each of several things its own.
 
 use super::choice::check;
-use super::{Change, Fields, MIXED, MIXED_DOC, name_it, named};
+use super::{Change, Fields, MIXED, MIXED_DOC, name_it, row_of};
 use crate::theme::{self, icon};
 use cloudwright_core::property::{Refusal, Row, Value};
 use cloudwright_core::random;
@@ -17,7 +17,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let mixed = self.differ(|thing| self.effective(row, 0, thing));
         let doc = row.property.doc;
         let (mut seed, typed) = (before, Cell::new(false));
-        named(ui, label, doc, |ui| {
+        row_of(ui, self.indent(), label, doc, |ui| {
             let mut field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);
             if mixed {
                 field = field.custom_formatter(|_, _| MIXED.into()).custom_parser(|text| {
@@ -41,7 +41,14 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         if let Some(none) = row.property.none {
             let mut own = is_own;
             let differ = self.differ(|thing| row.value(thing, 0).map(|value| Value::Flag(value != Value::None)));
-            if check(ui, &format!("{label} of its own"), &format!("Else it is {none}."), differ, &mut own) {
+            if check(
+                ui,
+                self.indent(),
+                &format!("{label} of its own"),
+                &format!("Else it is {none}."),
+                differ,
+                &mut own,
+            ) {
                 self.changes.push(Change::Own(row, own));
             }
         }

@@ -1,6 +1,6 @@
 //! Words, taken over when the field is left.
 
-use super::{Fields, MIXED, MIXED_DOC, name_it, named};
+use super::{Fields, MIXED, MIXED_DOC, name_it, row_of};
 use cloudwright_core::property::{Row, Value};
 use egui::{Id, Key, TextEdit, Ui};
 
@@ -10,7 +10,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let mixed = self.differ(|thing| row.value(thing, 0));
         let before = if let (Value::Text(text), false) = (value, mixed) { text.as_str() } else { "" };
         let mut new = None;
-        named(ui, label, "", |ui| {
+        row_of(ui, self.indent(), label, "", |ui| {
             let id: Id = ui.next_auto_id();
             let mut typed = ui.data(|data| data.get_temp(id)).unwrap_or_else(|| before.to_owned());
             let hint = if mixed { MIXED } else { "" };

@@ -1,0 +1,55 @@
+//! Which copies a duplication made, and their tracks: each property of a copy moves as the original's does.
+
+use super::{Plan, at_end, keys};
+use crate::document::Edit;
+use crate::property::Owner;
+use crate::scene::{CloudModel, HasId, KeyValue, Thing, Track, TrackId};
+use glam::DVec3;
+use std::collections::BTreeMap;
+
+/// Originals and their copies.
+#[derive(Debug, Default)]
+pub(super) struct Copied {
+    of: BTreeMap<Owner, Vec<Owner>>,
+}
+
+impl Copied {
+    /// `new` is a copy of `old`.
+    pub(super) fn thing(&mut self, old: Thing, new: Thing) {
+        self.owner(Owner::Thing(old), Owner::Thing(new));
+    }
+
+    /// `new` is a copy of `old` with all its parts, in the same order.
+    pub(super) fn model(&mut self, old: &CloudModel, new: &CloudModel) {
+        self.thing(Thing::Model(old.id), Thing::Model(new.id));
+        for level in 0..old.color_levels.len() {
+            self.owner(Owner::Level(old.id, level), Owner::Level(new.id, level));
+        }
+        for (a, b) in old.groups.iter().zip(&new.groups) {
+            self.thing(Thing::Group(old.id, a.id()), Thing::Group(new.id, b.id()));
+        }
+        for (a, b) in old.boxes.iter().zip(&new.boxes) {
+            self.thing(Thing::Box(old.id, a.id()), Thing::Box(new.id, b.id()));
+        }
+    }
+
+    fn owner(&mut self, old: Owner, new: Owner) {
+        self.of.entry(old).or_default().push(new);
+    }
+
+    /// Copies of the originals' tracks. Clouds are `offset` metres away, and so is what their tracks say.
+    pub(super) fn insert_tracks(&self, plan: &mut Plan<'_>, offset: DVec3) {
+        let copies = |owner: Owner| self.of.get(&owner).cloned().unwrap_or_default();
+        for (target, track) in keys::of_copies(plan.scene, copies) {
+            let mut new = Track { id: TrackId::new(&mut plan.next_id), property: target.to_string(), ..track.clone() };
+            if matches!(target.owner, Owner::Thing(Thing::Cloud(_))) && target.property.path == "position" {
+                for key in &mut new.keys {
+                    if let KeyValue::Three(place) = &mut key.value {
+                        *place = (DVec3::from_array(*place) + offset).to_array();
+                    }
+                }
+            }
+            plan.edits.push(Edit::Track(at_end(new)));
+        }
+    }
+}
