@@ -193,12 +193,12 @@ commands! {
         ScaleTool: "Scale", "Handles to stretch the selection by.", key(Key::R), Some(icon::RESIZE);
         BoxTool: "Box tool", "Drag a footprint at the base altitude, then pull the height.", key(Key::B), Some(icon::BOUNDING_BOX);
         Snap: "Snap", "Snap gestures to steps; Ctrl does the opposite while it is held.", shift(Key::S), Some(icon::MAGNET);
-        PlayTime: "Play time", "Let the time of day run in the view, or stop it; the scene's hour stays.", key(Key::Space), Some(icon::PLAY);
+        PlayTime: "Play time", "Let the time of day run in the view, or stop it; the scene's hour stays.", key(Key::P), Some(icon::PLAY);
         KeepHour: "Keep this hour", "Make the hour that is tried out the scene's.", NONE, None;
         SceneHour: "Back to the scene's hour", "Leave the hour that is tried out.", NONE, None;
     }
     Flight {
-        PlayFlight: "Play flight", "Let the scene's clock run: clouds form, and the chosen path is flown.", key(Key::P), Some(icon::PLAY);
+        PlayFlight: "Play the clock", "Let the scene's clock run, or stop it: tracks and wind move, clouds form, and the chosen path is flown.", key(Key::Space), Some(icon::PLAY);
         LoopFlight: "Loop flight", "Begin anew when the clock is at its end.", NONE, Some(icon::REPEAT);
         BoardFlight: "On board", "The view goes along the path; else the clock runs before a view that stays.", NONE, Some(icon::STEERING_WHEEL);
         FlightStart: "To the start", "Put the clock at its start.", key(Key::Home), Some(icon::SKIP_BACK);

@@ -260,18 +260,18 @@ fn time_runs_in_the_view_alone() {
     assert_eq!((window.scene(), window.undo_name(), shown(&window)), (&scene, None, 12.0));
 
     // Esc leaves what runs, and so does another hour of the scene's.
-    window.keys(Modifiers::NONE, Key::Space);
+    window.keys(Modifiers::NONE, Key::P);
     window.harness.run_steps(10);
     assert!(shown(&window) > 12.01);
     window.keys(Modifiers::NONE, Key::Escape);
     assert_eq!((shown(&window), window.scene(), window.undo_name()), (12.0, &scene, None));
-    window.keys(Modifiers::NONE, Key::Space);
+    window.keys(Modifiers::NONE, Key::P);
     window.harness.run_steps(10);
     window.node(Role::Slider, "Time of day").set_value_accesskit(9.0);
     window.settle();
     assert_eq!((shown(&window), window.scene().time_of_day_h), (9.0, 9.0));
     assert!(window.harness.query_by_role_and_label(Role::Button, "Play").is_some(), "it no longer runs");
-    window.keys(Modifiers::NONE, Key::Space);
+    window.keys(Modifiers::NONE, Key::P);
     window.harness.run_steps(10);
     window.keys(Modifiers::COMMAND, Key::Z);
     assert_eq!((shown(&window), window.scene()), (12.0, &scene));
