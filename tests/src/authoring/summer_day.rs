@@ -1,7 +1,7 @@
 //! A summer's day in a minute: a clear dawn, heaps that come up in the morning, tower after noon, drift, and part into
 //! rags at dusk; and so again.
 //!
-//! The hour is keyed from four in the morning to four in the next. Every cloud forms at an hour of its own; where the base
+//! The hour is keyed from six in the morning to six in the next. Every cloud forms at an hour of its own; where the base
 //! stands, how the heads tower and how all dries at dusk are keys of the air.
 
 use super::Sketch;
@@ -10,7 +10,7 @@ use cloudwright_core::scene::{Beyond, Category, Leaves, ModelId, Region, Scene, 
 use glam::DVec3;
 
 /// At second 0.
-const DAWN_H: f64 = 4.0;
+const DAWN_H: f64 = 6.0;
 const DAY_S: f64 = 60.0;
 /// The side of the sky in which clouds stay.
 const FIELD_M: f64 = 17_000.0;
@@ -86,10 +86,10 @@ fn sky(sketch: &mut Sketch) {
     sketch.key("time_of_day_h", Leaves::Linear, Beyond::Repeat, &hours);
     // Mist at dawn, and haze again towards the evening.
     let haze =
-        [(4.0, 15_000.0), (6.0, 13_000.0), (10.0, 30_000.0), (15.0, 42_000.0), (20.5, 26_000.0), (28.0, 15_000.0)];
+        [(6.0, 13_000.0), (10.0, 30_000.0), (15.0, 42_000.0), (20.5, 26_000.0), (28.0, 15_000.0), (30.0, 13_000.0)];
     sketch.key("sky/haze_length_m", Leaves::Smooth, Beyond::Repeat, &haze.map(by_hour));
     // An eye gets used to the dark.
-    let exposure = [(4.0, 0.9), (6.5, 0.15), (9.0, 0.0), (19.0, 0.0), (21.5, 0.9), (28.0, 0.9)];
+    let exposure = [(6.0, 0.35), (7.0, 0.1), (9.0, 0.0), (19.0, 0.0), (21.5, 0.9), (28.0, 0.9), (30.0, 0.35)];
     sketch.key("sky/exposure_ev", Leaves::Smooth, Beyond::Repeat, &exposure.map(by_hour));
 }
 
@@ -112,10 +112,10 @@ fn air(sketch: &mut Sketch) {
         }),
         ..Weather::default()
     };
-    let warmth = [(4.0, 15.0), (5.0, 14.5), (11.0, 20.0), (15.0, 23.0), (20.0, 19.0), (28.0, 15.0)];
+    let warmth = [(6.0, 14.6), (11.0, 20.0), (15.0, 23.0), (20.0, 19.0), (28.0, 15.0), (29.0, 14.5), (30.0, 14.6)];
     sketch.key("weather/temperature_c", Leaves::Smooth, Beyond::Repeat, &warmth.map(by_hour));
-    let growth = [(4.0, 0.55), (8.0, 0.55), (12.0, 1.0), (15.5, 1.25), (19.0, 0.75), (21.0, 0.55), (28.0, 0.55)];
+    let growth = [(6.0, 0.55), (8.0, 0.55), (12.0, 1.0), (15.5, 1.25), (19.0, 0.75), (21.0, 0.55), (30.0, 0.55)];
     sketch.key("weather/growth", Leaves::Smooth, Beyond::Repeat, &growth.map(by_hour));
-    let humidity = [(4.0, 0.3), (9.0, 0.5), (12.0, 1.0), (17.5, 1.0), (21.3, 0.05), (28.0, 0.3)];
+    let humidity = [(6.0, 0.38), (9.0, 0.5), (12.0, 1.0), (17.5, 1.0), (21.3, 0.05), (30.0, 0.38)];
     sketch.key("weather/humidity", Leaves::Smooth, Beyond::Repeat, &humidity.map(by_hour));
 }
