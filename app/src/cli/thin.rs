@@ -6,6 +6,7 @@ use super::{counted, input, say};
 use crate::{opening, saving};
 use cloudwright_core::document::Document;
 use cloudwright_core::thin::{ThinError, thin};
+use cloudwright_core::weather::Timeline;
 use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
@@ -41,6 +42,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let thinned = thin(&scene, beside.sheet(), arguments.tolerance, progress.watch());
     drop(progress);
     let thinned = thinned.map_err(|error| failure(&error))?;
+    let moves = Timeline::new(&scene).moves();
     let mut document = Document::new(scene);
     let done = document.edit("Thin", thinned.edits);
     done.map_err(|error| Failure::could_not(error.to_string(), "report this"))?;
@@ -57,6 +59,9 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         counted(thinned.views, "view", "views"),
         thinned.worst_view
     ));
+    if moves {
+        say("judged at rest: where wind and dry air part clouds, what was hidden may be missed");
+    }
     if thinned.models_left > 0 {
         let left = counted(thinned.models_left, "model keeps", "models keep");
         say(&format!("not looked at from around: {left} all sprites, as other models have more"));

@@ -1,7 +1,8 @@
 //! Model no more than a scene needs: sprites that nobody would miss are dropped.
 //!
 //! A scene is looked at from its cameras, along its paths and from around each cloud, that one alone (`vantages.rs`, which
-//! says whence where there are many), by the light of its hour and with every cloud whole. Sprites are sorted by the most that they add to any of these
+//! says whence where there are many), by the light of its hour, with every cloud whole and at rest: what hides a sprite then may have left it in weather.
+//! Sprites are sorted by the most that they add to any of these
 //! pictures (`losses.rs`), and as many of the least are dropped as leave each picture's mean FLIP against the scene as it
 //! was within the tolerance (`judge.rs`). Then what is left is weighed again, for what stood behind the dropped ones shows
 //! now. Where even a few can't be spared although they show little (they moved the light of others, say), they stay, and

@@ -4,10 +4,20 @@ use super::Key;
 use crate::arrange::sprites::{SpriteId, drop_from};
 use crate::derived::Derived;
 use crate::document::{Change, Edit, ListEdit};
-use crate::scene::{CloudId, ModelId, Scene};
+use crate::scene::{CloudId, ModelId, Scene, Weather};
 use crate::sprites::{PlacedCloud, Sprite};
 use crate::watch::Watch;
 use rustc_hash::{FxHashMap, FxHashSet};
+
+/// Takes out all that the clock, or the air, does to clouds.
+fn at_rest(scene: &mut Scene) {
+    scene.tracks.clear();
+    scene.weather = Weather::default();
+    for cloud in scene.clouds.iter_mut() {
+        (cloud.formation, cloud.formed) = (None, None);
+        (cloud.opacity, cloud.growth) = (1.0, 1.0);
+    }
+}
 
 /// The scene with some sprites less.
 pub(super) struct Trial<'a> {
@@ -24,10 +34,10 @@ pub(super) struct Trial<'a> {
 }
 
 impl<'a> Trial<'a> {
-    /// With every cloud whole, whatever the clock says. None if `watch` was cancelled.
+    /// With every cloud whole and at rest, whatever the clock says. None if `watch` was cancelled.
     pub(super) fn new(scene: &Scene, watch: &'a Watch) -> Option<Self> {
         let mut scene = scene.clone();
-        scene.clouds.iter_mut().for_each(|cloud| cloud.formation = None);
+        at_rest(&mut scene);
         let nothing = Derived::default();
         let derived = nothing.plan(&scene, &Change::everything()).carry_out(&watch.part())?;
         let models: FxHashMap<_, _> = scene.clouds.iter().map(|cloud| (cloud.id, cloud.model)).collect();

@@ -6,7 +6,7 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip};
 use cloudwright_core::raster::fast;
-use cloudwright_core::scene::{Cloud, CloudId, Scene};
+use cloudwright_core::scene::{Cloud, CloudId, KeyValue, Scene, Track, TrackId, TrackKey};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::thin::{ThinError, Thinned, thin};
@@ -65,6 +65,21 @@ fn hidden_sprites_go_first() {
     let scene = after(&scene, &thinned);
     let gone: Vec<_> = scene.models[0].boxes.iter().filter(|each| !each.sprite_edits.is_empty()).collect();
     assert_eq!((gone.len(), gone[0].width[0]), (1, 5.0));
+}
+
+/// A cloud that does not show at second 0, or in the air as it is, is thinned as one that does.
+#[test]
+fn what_the_clock_hides_is_not_thrown_away() {
+    let scene = heap(60);
+    let want = thinned(&scene, 0.01).expect("a heap hides some of its sprites");
+    let mut hidden = scene.clone();
+    let property = format!("cloud/{}/opacity", hidden.clouds[0].id);
+    let keys = vec![TrackKey::new(0.0, KeyValue::One(0.0)), TrackKey::new(9.0, KeyValue::One(1.0))];
+    hidden.tracks.push(Track::new(TrackId::new(&mut hidden.next_id), property, keys));
+    hidden.weather.humidity = 0.0;
+    hidden.clouds[0].growth = 2.0;
+    let got = thinned(&hidden, 0.01).expect("the same");
+    assert_eq!((got.after, &got.edits), (want.after, &want.edits));
 }
 
 #[test]
