@@ -49,7 +49,7 @@ fn line(scene: &mut Scene, target: Target, values: [KeyValue; 2]) {
     scene.tracks.push(Track::new(id, target.to_string(), [0.0, 8.0].into_iter().zip(values).map(key).collect()));
 }
 
-/// Numbers that `target` may have, a whole number of 1024ths of its range from its lower end.
+/// Numbers that `target` may have, in steps of a 1,024th part of its range from its lower end.
 fn rolled(dice: &mut Dice, target: Target) -> KeyValue {
     let number = target.property.kind.number().expect("what can be keyed is a number");
     let (low, high) = (number.min.max(-1000.0), number.max.min(1000.0));
