@@ -140,11 +140,17 @@ fn look(placed: &PlacedCloud, now: &CloudModel) -> Look {
         GroupKey::Named(id) => now.groups.with_id(id).map(|group| group.light),
         GroupKey::Lump(id, _) => now.boxes.with_id(id).map(|each| each.light),
     };
-    let group = |group: &Group| match light(group) {
-        Some(light) => Group { c: [light.c_min, light.c_med, light.c_max].map(|c| c as f32), ..*group },
-        None => *group,
+    let shares = |group: &Group| {
+        let light = light(group);
+        light.map_or(group.c, |light| [light.c_min, light.c_med, light.c_max].map(|c| c as f32))
     };
-    Look { color_levels: now.color_levels, groups: placed.groups.iter().map(group).collect() }
+    // Where only colours have tracks, the groups are those at rest, and known as such to who draws.
+    let groups = if placed.groups.iter().all(|group| shares(group) == group.c) {
+        Arc::clone(&placed.groups)
+    } else {
+        placed.groups.iter().map(|group| Group { c: shares(group), ..*group }).collect()
+    };
+    Look { color_levels: now.color_levels, groups }
 }
 
 /// Brings a cloud that has drifted out of `region` in again on the other side, and tells how far it has formed so near to
