@@ -214,6 +214,7 @@ commands! {
         AutoKey: "Auto-key", "What is changed about a keyed value sets a key at the clock's time.", ctrl_shift(Key::K), Some(icon::RECORD);
         PreviousKey: "Previous key", "Put the clock at the key before, of the chosen tracks or of all.", key(Key::PageUp), None;
         NextKey: "Next key", "Put the clock at the key after, of the chosen tracks or of all.", key(Key::PageDown), None;
+        RippleKeys: "Ripple", "Dragged keys take all later ones of their tracks along, so that time is put in or cut out.", NONE, None;
         AddKeys: "Add keys", "Add a key at the clock's time to the chosen tracks, or to all.", shift(Key::K), Some(icon::PLUS);
         DeleteKeys: "Delete keys", "Take the chosen keys out: over the timeline, the Delete key.", NONE, Some(icon::TRASH);
         CopyKeys: "Copy keys", "Keep the chosen keys for pasting: over the timeline, Ctrl+C.", NONE, Some(icon::COPY);

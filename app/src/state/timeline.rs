@@ -19,6 +19,8 @@ pub struct TimelineView {
     pub auto_key: bool,
     /// Whether curves are shown in place of rows of keys.
     pub curves: bool,
+    /// Whether dragged keys take all later ones of their tracks along.
+    pub ripple: bool,
     /// What dragged keys snap to.
     pub snap: TimeSnap,
     /// Keys that were copied.

@@ -38,6 +38,7 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         button(ui, command, text, on, actions);
     }
     button(ui, Command::AddKeys, icon::PLUS, false, actions);
+    button(ui, Command::RippleKeys, Command::RippleKeys.row().name, reading.view.timeline.ripple, actions);
     button(ui, Command::CurveView, icon::CHART_LINE, reading.view.timeline.curves, actions);
     snap(ui, reading, actions);
     ends::show(ui, reading, actions);
@@ -105,7 +106,12 @@ fn chosen(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let live = ui.input(|input| input.pointer.any_down());
     let mut time_s = key.time_s;
     if number_field(ui, TIME.label, &TIME, &mut time_s, false) {
-        let rekeyed = keys::moved(&scene.tracks, places, time_s - key.time_s);
+        let by_s = time_s - key.time_s;
+        let rekeyed = if reading.view.timeline.ripple {
+            keys::rippled(&scene.tracks, places, by_s, |_, _| {})
+        } else {
+            keys::moved(&scene.tracks, places, by_s)
+        };
         actions.push(Action::Keys { name: "Move keys".into(), rekeyed, live, choose: true });
     }
     let shown = match (key.leaves, &key.handles) {
