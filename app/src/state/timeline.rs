@@ -45,6 +45,17 @@ pub enum TimeSnap {
     Seconds,
 }
 
+impl TimeSnap {
+    /// From one to the next, and round.
+    pub(crate) fn next(self) -> Self {
+        match self {
+            Self::Off => Self::Frames,
+            Self::Frames => Self::Seconds,
+            Self::Seconds => Self::Off,
+        }
+    }
+}
+
 /// Keyed properties whose value in the scene was changed without a key. They show it until the clock moves.
 #[derive(Debug, Clone, Default)]
 struct Unkeyed {

@@ -5,6 +5,7 @@ mod arrange;
 mod flight;
 mod keys;
 mod shade;
+mod tracks;
 mod view;
 
 use super::dialogs::Dialog;
@@ -12,7 +13,7 @@ use super::intent::Intent;
 use super::{Ask, Editor};
 use crate::command::Command;
 use crate::panel::Panel;
-use crate::state::{Action, Item, Selection, SpriteMarks, Tool};
+use crate::state::{Action, Item, Selection, SpriteMarks, TimeSnap, Tool};
 use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
 
@@ -127,6 +128,8 @@ impl Editor {
             Command::DeleteKeys | Command::CopyKeys | Command::DuplicateKeys | Command::MirrorKeys => self.has_keys(),
             Command::SlowKeys | Command::QuickenKeys | Command::KeysStep | Command::KeysLinear => self.has_keys(),
             Command::KeysSmooth | Command::KeysFlat | Command::KeysFree => self.has_keys(),
+            Command::EndsBefore | Command::EndsAfter => self.has_keys(),
+            Command::ClearKeys => self.selection_has_keys(),
             _ => true,
         }
     }
@@ -154,6 +157,7 @@ impl Editor {
             Command::LoopFlight => self.clock.loops(),
             Command::AutoKey => view.timeline.auto_key,
             Command::RippleKeys => view.timeline.ripple,
+            Command::SnapKeys => view.timeline.snap != TimeSnap::Off,
             Command::CurveView => view.timeline.curves,
             Command::BoardFlight => self.clock.boards(),
             Command::RecordFlight => self.recording.is_some(),
@@ -244,6 +248,9 @@ impl Editor {
             Command::KeyValue => self.key_value(context),
             Command::AutoKey => self.view.timeline.auto_key ^= true,
             Command::RippleKeys => self.view.timeline.ripple ^= true,
+            Command::SnapKeys => self.view.timeline.snap = self.view.timeline.snap.next(),
+            Command::EndsBefore | Command::EndsAfter => self.cycle_ends(command),
+            Command::ClearKeys => self.clear_keys(),
             Command::PreviousKey => self.seek_key(false),
             Command::NextKey => self.seek_key(true),
             Command::AddKeys => self.add_keys(),

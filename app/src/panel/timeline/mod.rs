@@ -14,6 +14,7 @@ mod sheet;
 mod span;
 mod spot;
 mod toolbar;
+mod values;
 
 use crate::command::{Command, give_keys_to_timeline};
 use crate::state::{Action, Choose, Reading, TimelineChange};
@@ -96,22 +97,31 @@ fn in_sight(ui: &Ui, place: &Place, memory: &mut Memory, lines: &Lines, reading:
     let x = Rangef::new(place.keys.left(), place.keys.right());
     if std::mem::replace(&mut memory.fitted, reading.view.timeline.fit) != reading.view.timeline.fit {
         memory.times_s = Some(Span::around(extent(lines, reading).unwrap_or(clock_s)));
+        memory.values.fit();
     }
     let mut span = Span { x, times_s: memory.times_s.unwrap_or_else(|| Span::around(clock_s)) };
     let before = span.times_s;
     let area = place.keys.union(place.ruler);
     if ui.rect_contains_pointer(area) {
-        let (at, wheel, drag) = ui.input_mut(|input| {
+        let (at, mut wheel, zoom, drag) = ui.input_mut(|input| {
             let drag = if input.pointer.middle_down() { input.pointer.delta() } else { Vec2::ZERO };
             // What zooms does not scroll the lines.
             let wheel = std::mem::take(&mut input.smooth_scroll_delta);
-            (input.pointer.latest_pos(), wheel, drag)
+            (input.pointer.latest_pos(), wheel, input.zoom_delta(), drag)
         });
+        if reading.view.timeline.curves
+            && let Some(at) = at.filter(|at| place.keys.contains(*at))
+        {
+            // With Ctrl or over its numbers, the wheel is about the values.
+            let turned = if values::over_axis(at.x, &span) { std::mem::take(&mut wheel.y) } else { 0.0 };
+            let factor = f64::from((-turned / ZOOM).exp() / zoom);
+            let [about, up] = [place.keys.bottom() - at.y, -drag.y].map(|points| points / place.keys.height());
+            memory.values.change(factor, f64::from(about), f64::from(up));
+        } else if drag.y != 0.0 {
+            memory.scrolled += drag.y;
+        }
         if let Some(at) = at {
             span = span.zoomed(at.x, f64::from((-wheel.y / ZOOM).exp())).panned(wheel.x + drag.x);
-        }
-        if drag.y != 0.0 {
-            memory.scrolled += drag.y;
         }
     }
     if span.times_s != before {

@@ -16,6 +16,7 @@ mod tests;
 
 pub use clip::{Clip, copied, duplicated, pasted};
 pub use order::{MOST_S, SAME_S, to_step};
+pub use owned::cleared_of;
 pub(super) use owned::{doomed, of_copies};
 pub use reshape::{deleted, mirrored, moved, reshaped, scaled};
 pub use ripple::{rippled, with_later};

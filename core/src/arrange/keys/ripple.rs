@@ -10,10 +10,7 @@ use std::collections::BTreeSet;
 const LEFT_S: f64 = 1e-3;
 
 /// The chosen keys, and all later ones of their tracks.
-pub fn with_later<'t>(
-    tracks: impl IntoIterator<Item = &'t Track>,
-    chosen: &BTreeSet<KeyPlace>,
-) -> BTreeSet<KeyPlace> {
+pub fn with_later<'t>(tracks: impl IntoIterator<Item = &'t Track>, chosen: &BTreeSet<KeyPlace>) -> BTreeSet<KeyPlace> {
     let tracks: Vec<&Track> = touched(tracks, chosen).collect();
     let from_s = first_s(&tracks, chosen);
     let of_track = |track: &&Track| {
