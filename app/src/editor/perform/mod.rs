@@ -205,8 +205,12 @@ impl Editor {
             Command::AutoGroup => self.auto_group(),
             Command::CopyLevels => self.copy_levels(),
             Command::PasteLevels => self.paste_levels(),
-            Command::FrameSelection => self.viewport.frame(&self.view.selection, &self.session),
-            Command::FrameAll => self.viewport.frame(&Selection::default(), &self.session),
+            Command::FrameSelection => {
+                self.viewport.frame(&self.view.selection, &self.session, self.clock.time_s());
+            }
+            Command::FrameAll => {
+                self.viewport.frame(&Selection::default(), &self.session, self.clock.time_s());
+            }
             Command::LookThrough => self.look_through_next(),
             Command::AlignCamera => self.align_camera(),
             Command::Hide => self.toggle_hidden(),

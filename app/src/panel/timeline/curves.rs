@@ -8,12 +8,13 @@ use super::memory::Memory;
 use super::sheet::{curve_of, in_sight, part_name};
 use super::span::{Span, seconds};
 use super::spot::{self, Spot, What};
+use super::values;
 use crate::state::{Action, Choose, Reading, TimelineChange};
 use crate::theme;
 use cloudwright_core::property::Target;
 use cloudwright_core::scene::{Track, TrackId};
 use cloudwright_core::weather::Curve;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2};
+use egui::{Align2, Color32, CursorIcon, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2};
 use std::sync::Arc;
 
 /// More curves than this nobody tells apart.
@@ -146,6 +147,12 @@ impl Plot {
         let fine = ui.visuals().widgets.noninteractive.bg_stroke;
         for time_s in self.span.marks(self.span.step_s()) {
             painter.vline(self.span.x_of(time_s), self.rect.y_range(), Stroke::new(0.5, fine.color));
+        }
+        // Under the numbers: here the wheel is theirs.
+        let axis = self.rect.with_max_x(self.rect.left() + values::AXIS);
+        painter.rect_filled(axis, 0.0, ui.visuals().panel_fill.gamma_multiply(0.7));
+        if ui.rect_contains_pointer(axis) && ui.input(|input| !input.pointer.any_down()) {
+            ui.ctx().set_cursor_icon(CursorIcon::ResizeVertical);
         }
         let count = ((high - low) / step).clamp(0.0, 100.0) as i64;
         for line in 0..=count + 1 {
