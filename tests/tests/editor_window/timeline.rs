@@ -54,7 +54,7 @@ impl Window {
     }
 
     /// Turns the wheel away from the hand, over a place.
-    fn wheel(&mut self, at: Pos2, modifiers: Modifiers) {
+    fn wheel_over(&mut self, at: Pos2, modifiers: Modifiers) {
         self.pointer(at, None);
         self.harness.event(Event::MouseWheel {
             unit: egui::MouseWheelUnit::Point,
@@ -309,7 +309,7 @@ fn a_double_click_adds_a_key_and_the_wheel_zooms() {
     assert_eq!((track.keys.len(), window.undo_name().as_deref()), (4, Some("Add key")));
     assert!((track.keys[1].time_s - 15.0).abs() < 0.2 && (track.keys[1].value.parts()[0] - 1.4).abs() < 0.1);
     let before = window.second();
-    window.wheel(at, Modifiers::NONE);
+    window.wheel_over(at, Modifiers::NONE);
     assert!(window.second() > before * 1.2);
     assert!((window.key_named("key of Exposure at 10 s").x - at.x).abs() < 1.0, "about the pointer");
     window.keys(Modifiers::NONE, Key::F);
@@ -410,13 +410,13 @@ fn values_of_the_curves_are_zoomed_and_panned() {
     let places = |window: &Window| names.map(|name| window.key_named(name));
     let before = places(&window);
     let room = |places: [Pos2; 3]| [places[2].x - places[0].x, places[0].y - places[2].y];
-    window.wheel(before[1], Modifiers::COMMAND);
+    window.wheel_over(before[1], Modifiers::COMMAND);
     let near = places(&window);
     assert!(room(near)[1] > room(before)[1] * 1.2 && (room(near)[0] - room(before)[0]).abs() < 0.5, "values alone");
     assert!(near[1].distance(before[1]) < 1.0, "about the pointer");
     // Over the numbers, without Ctrl.
     let keys = window.harness.get_by_label("Keys over time").rect();
-    window.wheel(Pos2::new(keys.left() + 12.0, before[1].y), Modifiers::NONE);
+    window.wheel_over(Pos2::new(keys.left() + 12.0, before[1].y), Modifiers::NONE);
     let nearer = places(&window);
     assert!(room(nearer)[1] > room(near)[1] * 1.2 && (room(nearer)[0] - room(near)[0]).abs() < 0.5);
     window.drag_with(PointerButton::Middle, Modifiers::NONE, before[1], vec2(30.0, 20.0));
