@@ -167,7 +167,6 @@ impl Field<'_, '_> {
         if std::mem::replace(&mut held.asked, asked) == asked && live {
             return;
         }
-        let tracks = || held.tracks.iter().map(|track| &**track);
         let (name, rekeyed) = if held.scales && (held.time_s - clock_s).abs() > keys::SAME_S {
             let by = ((time_s - clock_s) / (held.time_s - clock_s)).max(1e-3);
             ("Scale keys", keys::scaled(tracks(), &held.chosen, clock_s, by))

@@ -115,7 +115,8 @@ fn in_sight(ui: &Ui, place: &Place, memory: &mut Memory, lines: &Lines, reading:
             // With Ctrl or over its numbers, the wheel is about the values.
             let turned = if values::over_axis(at.x, &span) { std::mem::take(&mut wheel.y) } else { 0.0 };
             let factor = f64::from((-turned / ZOOM).exp() / zoom);
-            let [about, up] = [place.keys.bottom() - at.y, -drag.y].map(|points| points / place.keys.height());
+            let rect = plot_rect(place);
+            let [about, up] = [rect.bottom() - at.y, -drag.y].map(|points| points / rect.height().max(1.0));
             memory.values.change(factor, f64::from(about), f64::from(up));
         } else if drag.y != 0.0 {
             memory.scrolled += drag.y;
@@ -146,6 +147,11 @@ fn extent(lines: &Lines, reading: &Reading<'_>) -> Option<[f64; 2]> {
     (times_s[0] <= times_s[1]).then_some(times_s)
 }
 
+/// Where curves are.
+fn plot_rect(place: &Place) -> Rect {
+    place.keys.shrink2(vec2(0.0, 4.0))
+}
+
 /// Names, keys or curves, and what a hand does there.
 fn body(
     ui: &mut Ui,
@@ -174,7 +180,7 @@ fn body(
         }
         memory.forget_lines();
     }
-    let plot = shows_curves.then(|| Plot::new(place.keys.shrink2(vec2(0.0, 4.0)), *span, lines, memory, reading));
+    let plot = shows_curves.then(|| Plot::new(plot_rect(place), *span, lines, memory, reading));
     if let Some(plot) = &plot {
         ui.painter().rect_filled(place.keys, 0.0, ui.visuals().extreme_bg_color);
         ruler::shade(&ui.painter_at(place.keys), place.keys, played, ui.visuals().panel_fill);
