@@ -481,3 +481,29 @@ fn the_shading_curve_and_the_view_go_by_the_clock() {
     let way = eye(20.0) - eye(5.0);
     assert!((way.x - 5000.0).abs() < 1.0 && way.y.abs() < 1.0, "{way}");
 }
+
+#[test]
+fn a_camera_is_drawn_and_picked_where_its_tracks_have_it() {
+    let mut window = opened();
+    window.command(Command::TimelinePanel);
+    window.command(Command::AddCamera);
+    let camera = window.scene().cameras.as_slice().last().expect("it was added").clone();
+    window.select([Item::Camera(camera.id)]);
+    window.ask("Key Position");
+    window.command(Command::AutoKey);
+    window.put_timeline(10.0);
+    let ahead = window.view().ray(200.0, 100.0);
+    let place = camera.position + ahead.as_dvec3() * 300.0;
+    for (axis, value) in ["Position x", "Position y", "Position z"].into_iter().zip(place.to_array()) {
+        window.set(axis, value);
+    }
+    window.command(Command::ShowBoxes);
+    window.select([]);
+    let at = window.on_screen(place);
+    window.click(at, Modifiers::NONE);
+    assert_eq!(window.primary(), Some(Item::Camera(camera.id)));
+    window.put_timeline(0.0);
+    window.select([]);
+    window.click(at, Modifiers::NONE);
+    assert_ne!(window.primary(), Some(Item::Camera(camera.id)), "by then it is here");
+}
