@@ -214,6 +214,8 @@ commands! {
         AutoKey: "Auto-key", "What is changed about a keyed value sets a key at the clock's time.", ctrl_shift(Key::K), Some(icon::RECORD);
         PreviousKey: "Previous key", "Put the clock at the key before, of the chosen tracks or of all.", key(Key::PageUp), None;
         NextKey: "Next key", "Put the clock at the key after, of the chosen tracks or of all.", key(Key::PageDown), None;
+        RippleKeys: "Ripple", "Dragged keys take all later ones of their tracks along, so that time is put in or cut out.", NONE, None;
+        SnapKeys: "Snap keys", "Let dragged keys snap to frames, to whole seconds, or to nothing: each time the next of the three.", NONE, Some(icon::MAGNET);
         AddKeys: "Add keys", "Add a key at the clock's time to the chosen tracks, or to all.", shift(Key::K), Some(icon::PLUS);
         DeleteKeys: "Delete keys", "Take the chosen keys out: over the timeline, the Delete key.", NONE, Some(icon::TRASH);
         CopyKeys: "Copy keys", "Keep the chosen keys for pasting: over the timeline, Ctrl+C.", NONE, Some(icon::COPY);
@@ -231,6 +233,9 @@ commands! {
         KeysSmooth: "Leave smoothly", "The chosen keys go on in a curve that never overshoots.", NONE, None;
         KeysFlat: "Flatten", "The curve is level at the chosen keys.", NONE, None;
         KeysFree: "Free handles", "Give the chosen keys handles that can be dragged in the curves.", NONE, None;
+        EndsBefore: "Before the keys", "Let the chosen tracks hold, repeat or swing before their first key: each time the next of the three.", NONE, None;
+        EndsAfter: "After the keys", "Let the chosen tracks hold, repeat or swing after their last key: each time the next of the three.", NONE, None;
+        ClearKeys: "Clear all keys", "Take out all keys of what is selected.", NONE, None;
         MarkIn: "In mark", "Let the clock play from here on.", ctrl(Key::Home), None;
         MarkOut: "Out mark", "Let the clock play up to here.", ctrl(Key::End), None;
         ClearMarks: "No marks", "Let the clock play all through.", NONE, None;

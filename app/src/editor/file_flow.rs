@@ -8,6 +8,7 @@ use super::dialogs::Dialog;
 use super::files::{Ask, Reply, Waiting};
 use super::intent::Intent;
 use crate::opening::{self, OpenError};
+use crate::panel::Panel;
 use crate::state::{Session, ViewState, starter_scene};
 use crate::storage::Stamp;
 use cloudwright_core::formats::scene_file;
@@ -76,6 +77,9 @@ impl Editor {
     /// Another document in place of the present one; `known` is its file as it is on disk.
     pub(super) fn replace(&mut self, session: Session, known: Option<Stamp>) {
         self.viewport.see(&session);
+        if !session.scene().tracks.is_empty() {
+            self.layout.offer(Panel::Timeline);
+        }
         self.session = session;
         self.disk.known = known;
         self.time_play.leave();

@@ -16,11 +16,13 @@ pub(super) struct Layout {
     tree: Tree<Panel>,
     /// The user moved something since the last [`Layout::take_changed`].
     changed: bool,
+    /// The user has never moved anything.
+    untouched: bool,
 }
 
 impl Default for Layout {
     fn default() -> Self {
-        Self { tree: default_tree(), changed: false }
+        Self { tree: default_tree(), changed: false, untouched: true }
     }
 }
 
@@ -29,7 +31,7 @@ impl Layout {
     pub(super) fn from_saved(saved: &serde_json::Value) -> Option<Self> {
         let tree: Tree<Panel> = serde::Deserialize::deserialize(saved).ok()?;
         let viewports = tree.tiles.iter().filter(|(_, tile)| matches!(tile, Tile::Pane(Panel::Viewport))).count();
-        (viewports == 1 && tree.root.is_some()).then_some(Self { tree, changed: false })
+        (viewports == 1 && tree.root.is_some()).then_some(Self { tree, changed: false, untouched: false })
     }
 
     /// To be kept between starts.
@@ -44,9 +46,10 @@ impl Layout {
 
     /// Shows all panels; `show` puts the content of one on the screen.
     pub(super) fn show(&mut self, ui: &mut Ui, show: impl FnMut(Panel, &mut Ui)) {
-        let mut panes = Panes { show, changed: false };
+        let mut panes = Panes { show, changed: false, in_front: self.tree.active_tiles() };
         self.tree.ui(&mut panes, ui);
         self.changed |= panes.changed;
+        self.untouched &= !panes.changed;
     }
 
     /// Whether a panel is on the screen: not closed, and not behind another one's tab.
@@ -60,11 +63,27 @@ impl Layout {
         *self = Self { changed: true, ..Self::default() };
     }
 
+    /// Shows the tab of a panel that has not been moved, unless the user has arranged panels before.
+    pub(super) fn offer(&mut self, panel: Panel) {
+        if self.untouched
+            && let Some(tile) = self.tree.tiles.find_pane(&panel)
+        {
+            self.tree.make_active(|id, _| id == tile);
+        }
+    }
+
     /// Brings a panel up, wherever it is. One that was closed comes back beside the inspector, the timeline below the
-    /// viewport.
+    /// viewport; there it comes too from its first place, which is narrow.
     pub(super) fn bring_up(&mut self, panel: Panel) {
         self.changed = true;
+        self.untouched = false;
         let found = self.tree.tiles.find_pane(&panel);
+        if panel == Panel::Timeline
+            && let Some(tile) = found.filter(|tile| self.is_beside_looks(*tile))
+            && self.put_below_viewport(tile)
+        {
+            return;
+        }
         let tile = found.unwrap_or_else(|| {
             let tile = self.tree.tiles.insert_pane(panel);
             if panel == Panel::Timeline && self.put_below_viewport(tile) {
@@ -83,6 +102,14 @@ impl Layout {
 }
 
 impl Layout {
+    /// Whether a tile has its tab among those of what clouds look like.
+    fn is_beside_looks(&self, tile: TileId) -> bool {
+        let tiles = &self.tree.tiles;
+        let dock = tiles.parent_of(tile);
+        let is_there = |panel| tiles.find_pane(&panel).is_some_and(|other| tiles.parent_of(other) == dock);
+        dock.is_some() && [Panel::ColorLevels, Panel::Flight].into_iter().all(is_there)
+    }
+
     /// Puts a tile below the viewport, over all its width. False if the viewport is not in a place of its own.
     fn put_below_viewport(&mut self, tile: TileId) -> bool {
         let tiles = &mut self.tree.tiles;
@@ -90,6 +117,11 @@ impl Layout {
         let Some((above, holder)) = above.and_then(|above| Some((above, tiles.parent_of(above)?))) else {
             return false;
         };
+        if let Some(Tile::Container(Container::Tabs(tabs))) = tiles.parent_of(tile).and_then(|dock| tiles.get_mut(dock))
+        {
+            tabs.children.retain(|child| *child != tile);
+            tabs.active = tabs.active.filter(|active| *active != tile).or(tabs.children.first().copied());
+        }
         let below = tiles.insert_tab_tile(vec![tile]);
         let mut linear = Linear::new(LinearDir::Vertical, vec![above, below]);
         linear.shares.set_share(above, 1.0 - TIMELINE_SHARE);
@@ -114,7 +146,7 @@ fn default_tree() -> Tree<Panel> {
     let history = tabs(&[Panel::History, Panel::Problems]);
     let viewport = tabs(&[Panel::Viewport]);
     let inspector = tabs(&[Panel::Inspector, Panel::Chart]);
-    let looks = tabs(&[Panel::ColorLevels, Panel::ShadingGroups, Panel::Sky, Panel::Flight]);
+    let looks = tabs(&[Panel::ColorLevels, Panel::ShadingGroups, Panel::Sky, Panel::Flight, Panel::Timeline]);
     let mut split = |dir, parts: &[(TileId, f32)]| {
         let mut linear = Linear::new(dir, parts.iter().map(|(id, _)| *id).collect());
         for (id, share) in parts {
@@ -131,6 +163,8 @@ fn default_tree() -> Tree<Panel> {
 struct Panes<F> {
     show: F,
     changed: bool,
+    /// Tiles that no other's tab is before.
+    in_front: Vec<TileId>,
 }
 
 impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
@@ -151,12 +185,17 @@ impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
     }
 
     fn is_tab_closable(&self, tiles: &Tiles<Panel>, tile: TileId) -> bool {
-        // The viewport stays.
-        !matches!(tiles.get(tile), Some(Tile::Pane(Panel::Viewport)) | None)
+        // The viewport stays. Tabs behind others can be closed once they are in front: so more have room.
+        let is_viewport = matches!(tiles.get(tile), Some(Tile::Pane(Panel::Viewport)) | None);
+        !is_viewport && self.in_front.contains(&tile)
     }
 
     fn gap_width(&self, _style: &egui::Style) -> f32 {
         theme::SPLIT_WIDTH
+    }
+
+    fn tab_title_spacing(&self, _visuals: &egui::Visuals) -> f32 {
+        theme::TAB_SPACING
     }
 
     fn tab_bar_color(&self, visuals: &egui::Visuals) -> egui::Color32 {
@@ -185,11 +224,20 @@ mod tests {
         let saved = layout.to_saved().expect("it can be saved");
         let again = Layout::from_saved(&saved).expect("it is a layout");
         assert_eq!(again.tree, layout.tree);
-        // The timeline comes up below the viewport, and hides nothing.
+        // The timeline comes up below the viewport from its tab, and hides nothing.
         layout.bring_up(Panel::Timeline);
+        assert!(layout.shows(Panel::Sky));
         assert!([Panel::Viewport, Panel::Timeline, Panel::Inspector].into_iter().all(|panel| layout.shows(panel)));
         let saved = layout.to_saved().expect("it can be saved");
         assert_eq!(Layout::from_saved(&saved).expect("it is a layout").tree, layout.tree);
+        // A tab is offered only to those who have arranged nothing yet.
+        layout.offer(Panel::Flight);
+        assert!(!layout.shows(Panel::Flight));
+        let mut new = Layout::default();
+        new.offer(Panel::Timeline);
+        assert!(new.shows(Panel::Timeline) && !new.shows(Panel::ColorLevels) && !new.take_changed());
+        new.bring_up(Panel::Timeline);
+        assert!([Panel::Timeline, Panel::ColorLevels].into_iter().all(|panel| new.shows(panel)));
         for bad in [serde_json::json!(null), serde_json::json!({"root": 7}), serde_json::json!([])] {
             assert!(Layout::from_saved(&bad).is_none(), "{bad}");
         }

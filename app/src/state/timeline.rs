@@ -19,6 +19,8 @@ pub struct TimelineView {
     pub auto_key: bool,
     /// Whether curves are shown in place of rows of keys.
     pub curves: bool,
+    /// Whether dragged keys take all later ones of their tracks along.
+    pub ripple: bool,
     /// What dragged keys snap to.
     pub snap: TimeSnap,
     /// Keys that were copied.
@@ -41,6 +43,17 @@ pub enum TimeSnap {
     Frames,
     /// To whole seconds.
     Seconds,
+}
+
+impl TimeSnap {
+    /// From one to the next, and round.
+    pub(crate) fn next(self) -> Self {
+        match self {
+            Self::Off => Self::Frames,
+            Self::Frames => Self::Seconds,
+            Self::Seconds => Self::Off,
+        }
+    }
 }
 
 /// Keyed properties whose value in the scene was changed without a key. They show it until the clock moves.

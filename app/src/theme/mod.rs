@@ -15,6 +15,8 @@ use egui::{
 pub(crate) const GAP: f32 = 8.0;
 /// Between docked panels, points.
 pub(crate) const SPLIT_WIDTH: f32 = 3.0;
+/// Beside the name in a panel's tab: five of them have room in the narrowest place.
+pub(crate) const TAB_SPACING: f32 = 5.5;
 /// From a dialog in a corner to the window's rim, points.
 pub(crate) const DIALOG_MARGIN: f32 = 40.0;
 /// Points.

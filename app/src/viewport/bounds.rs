@@ -1,18 +1,18 @@
-//! What a selection fills of the world: for bringing it into view.
+//! What a selection fills of the world at a time of the scene's clock: for bringing it into view.
 
 use crate::state::{Item, Selection, Session, box_of};
 use cloudwright_core::arrange::ModelSpace;
-use cloudwright_core::scene::InScene;
-use cloudwright_core::sprites::PlacedCloud;
+use cloudwright_core::scene::{CloudId, InScene};
+use cloudwright_core::weather::{CloudNow, WeatherRules};
 use glam::DVec3;
 
-/// Centre and radius of a sphere around a selection; around all clouds for nothing.
-pub(super) fn bounds(selection: &Selection, session: &Session) -> Option<(DVec3, f64)> {
-    let clouds = session.derived().clouds();
+/// Centre and radius of a sphere around a selection at `clock_s`; around all clouds for nothing.
+pub(super) fn bounds(selection: &Selection, session: &Session, clock_s: f64) -> Option<(DVec3, f64)> {
+    let now = Now { session, clock_s, clouds: session.derived().clouds_at(clock_s, WeatherRules::default()) };
     let spheres: Vec<(DVec3, f64)> = if selection.is_empty() {
-        clouds.iter().map(sphere).collect()
+        now.clouds.iter().map(sphere).collect()
     } else {
-        selection.items().iter().flat_map(|item| spheres(*item, selection, session)).collect()
+        selection.items().iter().flat_map(|item| now.spheres(*item, selection)).collect()
     };
     let (low, high) = spheres
         .iter()
@@ -23,27 +23,52 @@ pub(super) fn bounds(selection: &Selection, session: &Session) -> Option<(DVec3,
     Some((center, radius))
 }
 
-fn sphere(cloud: &PlacedCloud) -> (DVec3, f64) {
-    (cloud.origin + cloud.center.as_dvec3(), f64::from(cloud.reach))
+fn sphere(cloud: &CloudNow<'_>) -> (DVec3, f64) {
+    (cloud.origin() + cloud.center_now().as_dvec3(), f64::from(cloud.reach_now()))
 }
 
-fn spheres(item: Item, selection: &Selection, session: &Session) -> Vec<(DVec3, f64)> {
-    let scene = session.scene();
-    match item {
-        Item::Cloud(id) => session.placed(id).map(sphere).into_iter().collect(),
-        Item::Model(id) | Item::Group(id, _) => {
-            let placed = scene.clouds.iter().filter(|cloud| cloud.model == id);
-            placed.filter_map(|cloud| session.placed(cloud.id)).map(sphere).collect()
+/// The clouds at a time.
+struct Now<'a> {
+    session: &'a Session,
+    clock_s: f64,
+    clouds: Vec<CloudNow<'a>>,
+}
+
+impl Now<'_> {
+    fn cloud(&self, id: CloudId) -> Option<&CloudNow<'_>> {
+        self.clouds.get(self.session.derived().index_of(id)?)
+    }
+
+    fn spheres(&self, item: Item, selection: &Selection) -> Vec<(DVec3, f64)> {
+        let scene = self.session.scene();
+        match item {
+            Item::Cloud(id) => self.cloud(id).map(sphere).into_iter().collect(),
+            Item::Model(id) | Item::Group(id, _) => {
+                let placed = scene.clouds.iter().filter(|cloud| cloud.model == id);
+                placed.filter_map(|cloud| self.cloud(cloud.id)).map(sphere).collect()
+            }
+            // In the cloud that it was picked in: all of them might be far apart.
+            Item::Box(model, id) | Item::Sprite(model, id, _) => {
+                let found = box_of(scene, model, id).zip(selection.cloud(scene));
+                let sphere = found.map(|(each, cloud)| {
+                    let center = ModelSpace::of(cloud).to_world(each.center);
+                    let radius = each.size.length() * 0.5 * cloud.scale;
+                    match self.cloud(cloud.id) {
+                        Some(now) => {
+                            let center = now.point_now((center - now.placed.origin).as_vec3()).as_dvec3();
+                            (now.origin() + center, radius * f64::from(now.scale))
+                        }
+                        None => (center, radius),
+                    }
+                });
+                sphere.into_iter().collect()
+            }
+            Item::Camera(id) => {
+                let camera = scene.cameras.with_id(id);
+                let timeline = self.session.derived().timeline();
+                camera.map(|camera| (timeline.camera_at(camera, self.clock_s).position, 0.0)).into_iter().collect()
+            }
+            other => other.listed(scene).into_iter().flat_map(InScene::points).map(|point| (point, 0.0)).collect(),
         }
-        // In the cloud that it was picked in: all of them might be far apart.
-        Item::Box(model, id) | Item::Sprite(model, id, _) => {
-            let found = box_of(scene, model, id).zip(selection.cloud(scene));
-            let sphere = found.map(|(each, cloud)| {
-                let center = ModelSpace::of(cloud).to_world(each.center);
-                (center, each.size.length() * 0.5 * cloud.scale)
-            });
-            sphere.into_iter().collect()
-        }
-        other => other.listed(scene).into_iter().flat_map(InScene::points).map(|point| (point, 0.0)).collect(),
     }
 }

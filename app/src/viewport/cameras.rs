@@ -19,7 +19,7 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
         let selected = reading.view.selection.contains(Item::Camera(camera.id));
         let stroke = if selected { theme::SELECTED_BOX } else { theme::CAMERA };
         for stroke in [theme::casing(stroke), stroke] {
-            frustum(painter, screen, camera, stroke);
+            frustum(painter, screen, &camera, stroke);
         }
     }
 }
@@ -27,7 +27,7 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
 /// The camera that a click means.
 pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Option<CameraId> {
     let near = shown(screen, reading).filter_map(|camera| {
-        let ends = [Vec3::ZERO, frame(screen, camera)?.ahead];
+        let ends = [Vec3::ZERO, frame(screen, &camera)?.ahead];
         let distances = ends.map(|end| {
             let place = screen.project(screen.relative(camera.position) + end);
             place.map_or(f32::INFINITY, |place| place.distance(at))
@@ -38,12 +38,13 @@ pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Option<
 }
 
 /// Those that are drawn. One that is looked through, or nearly so, would be all around the eye.
-fn shown<'a>(screen: &Screen, reading: &Reading<'a>) -> impl Iterator<Item = &'a Camera> + use<'a> {
+/// They stand where their tracks have them now.
+fn shown<'a>(screen: &Screen, reading: &'a Reading<'a>) -> impl Iterator<Item = Camera> + use<'a> {
     let (view, eye) = (reading.view, screen.view.eye);
-    let shows = move |camera: &&Camera| {
-        (view.show_all_boxes || view.selection.contains(Item::Camera(camera.id))) && camera.position.distance(eye) > 1.0
-    };
-    reading.session.scene().cameras.iter().filter(shows)
+    let is_drawn = |camera: &&Camera| view.show_all_boxes || view.selection.contains(Item::Camera(camera.id));
+    let (timeline, clock_s) = (reading.session.derived().timeline(), reading.clock.time_s());
+    let drawn = reading.session.scene().cameras.iter().filter(is_drawn);
+    drawn.map(move |camera| timeline.camera_at(camera, clock_s)).filter(move |now| now.position.distance(eye) > 1.0)
 }
 
 /// A camera's picture, from its eye.

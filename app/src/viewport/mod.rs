@@ -106,7 +106,7 @@ impl Viewport {
     pub(crate) fn see(&mut self, session: &Session) {
         match session.scene().cameras.first() {
             Some(camera) => self.look_through(camera, session),
-            None => self.frame(&Selection::default(), session),
+            None => self.frame(&Selection::default(), session, 0.0),
         }
     }
 
@@ -123,9 +123,9 @@ impl Viewport {
         self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
     }
 
-    /// Brings a selection into view; all clouds for nothing.
-    pub(crate) fn frame(&mut self, selection: &Selection, session: &Session) {
-        if let Some((center, radius)) = bounds::bounds(selection, session) {
+    /// Brings a selection, as it is at `clock_s`, into view; all clouds for nothing.
+    pub(crate) fn frame(&mut self, selection: &Selection, session: &Session, clock_s: f64) {
+        if let Some((center, radius)) = bounds::bounds(selection, session, clock_s) {
             self.leave();
             self.canvas.begin_anew();
             self.navigation.frame(center, radius);

@@ -96,6 +96,24 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
             return;
         }
         Grid::new(name).num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| rows(&mut self, ui));
+        let live = ui.input(|input| input.pointer.any_down());
+        self.carry_out(name, live, actions, edit);
+    }
+
+    /// Sets a number in all things as its field would, without showing one: for a handle that stands for it.
+    pub(crate) fn set_number(
+        mut self,
+        (row, number): (&'static Row<T>, f64),
+        name: &'static str,
+        live: bool,
+        actions: &mut Vec<Action>,
+        edit: impl Fn(usize, T) -> Edit,
+    ) {
+        self.set(row, 0, Value::Number(number));
+        self.carry_out(name, live, actions, edit);
+    }
+
+    fn carry_out(mut self, name: &'static str, live: bool, actions: &mut Vec<Action>, edit: impl Fn(usize, T) -> Edit) {
         actions.append(&mut self.asked);
         if self.changes.is_empty() {
             return;
@@ -108,7 +126,6 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
                 edits.push(edit(at, after));
             }
         }
-        let live = ui.input(|input| input.pointer.any_down());
         keyed.ask(name, edits, live, self.reading, actions);
     }
 

@@ -3,9 +3,12 @@
 use super::{Plan, at_end, keys};
 use crate::document::Edit;
 use crate::property::Owner;
-use crate::scene::{CloudModel, HasId, KeyValue, Thing, Track, TrackId};
+use crate::scene::{CloudBox, CloudModel, HasId, KeyValue, List, ModelId, ShadingGroup, Thing, Track, TrackId};
 use glam::DVec3;
 use std::collections::BTreeMap;
+
+/// Groups and boxes of a model.
+type Parts<G, B> = (ModelId, G, B);
 
 /// Originals and their copies.
 #[derive(Debug, Default)]
@@ -22,14 +25,28 @@ impl Copied {
     /// `new` is a copy of `old` with all its parts, in the same order.
     pub(super) fn model(&mut self, old: &CloudModel, new: &CloudModel) {
         self.thing(Thing::Model(old.id), Thing::Model(new.id));
-        for level in 0..old.color_levels.len() {
-            self.owner(Owner::Level(old.id, level), Owner::Level(new.id, level));
+        self.levels(old.id, new);
+        self.parts((old.id, &old.groups, &old.boxes), (new.id, &new.groups, &new.boxes));
+    }
+
+    /// `new` has the colour levels of `old`.
+    pub(super) fn levels(&mut self, old: ModelId, new: &CloudModel) {
+        for level in 0..new.color_levels.len() {
+            self.owner(Owner::Level(old, level), Owner::Level(new.id, level));
         }
-        for (a, b) in old.groups.iter().zip(&new.groups) {
-            self.thing(Thing::Group(old.id, a.id()), Thing::Group(new.id, b.id()));
+    }
+
+    /// Groups and boxes of one model have copies in another, in the same order.
+    pub(super) fn parts<'a>(
+        &mut self,
+        (old, groups, boxes): Parts<impl IntoIterator<Item = &'a ShadingGroup>, impl IntoIterator<Item = &'a CloudBox>>,
+        (new, new_groups, new_boxes): Parts<&List<ShadingGroup>, &List<CloudBox>>,
+    ) {
+        for (a, b) in groups.into_iter().zip(new_groups) {
+            self.thing(Thing::Group(old, a.id()), Thing::Group(new, b.id()));
         }
-        for (a, b) in old.boxes.iter().zip(&new.boxes) {
-            self.thing(Thing::Box(old.id, a.id()), Thing::Box(new.id, b.id()));
+        for (a, b) in boxes.into_iter().zip(new_boxes) {
+            self.thing(Thing::Box(old, a.id()), Thing::Box(new, b.id()));
         }
     }
 

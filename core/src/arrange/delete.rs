@@ -76,10 +76,10 @@ fn from_model(plan: &mut Plan<'_>, model: &CloudModel, doomed: &BTreeSet<Thing>)
 
 #[cfg(test)]
 mod tests {
-    use super::super::test_scenes::{applied, two_clouds};
+    use super::super::test_scenes::{applied, moved, two_clouds, with_tracks};
     use super::*;
     use crate::problem::scene_with_flight;
-    use crate::scene::{KeyValue, ModelId, PathId, SpriteEdit, Track, TrackId, TrackKey};
+    use crate::scene::{ModelId, PathId, SpriteEdit};
 
     #[test]
     fn any_mix_goes_and_nothing_points_at_it() {
@@ -125,12 +125,10 @@ mod tests {
             format!("cloud/{other}/position"),
             "sky/exposure_ev".into(),
         ];
-        for property in &properties {
-            let parts = property.parse::<crate::property::Target>().expect("a property").parts();
-            let value = if parts == 3 { KeyValue::Three([0.5; 3]) } else { KeyValue::One(0.5) };
-            let id = TrackId::new(&mut scene.next_id);
-            scene.tracks.push(Track::new(id, property.clone(), vec![TrackKey::new(1.0, value)]));
-        }
+        with_tracks(&mut scene, &properties);
+        let cleared = keys::cleared_of(&scene, &[Thing::Model(model), Thing::Cloud(other)]);
+        let after = applied(&scene, &Arrangement { edits: cleared.edits, made: Vec::new() });
+        assert_eq!(moved(&after), [0, 3, 5].map(|at| properties[at].clone()).into(), "the things themselves stay");
         for (thing, gone) in [
             (Thing::Cloud(cloud), vec![0]),
             (Thing::Group(model, group), vec![2]),

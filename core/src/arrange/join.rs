@@ -8,12 +8,16 @@
 //!
 //! A model of the first that other clouds use too is copied first, so that those stay as they are. Models that none but
 //! the joined clouds used go.
+//!
+//! Tracks of groups and boxes come along with them, and the first cloud's stay; those of what is gone go.
 
+use super::copied::Copied;
 use super::copy::{copy_model, copy_parts, groups_used};
 use super::duplicate::model_names;
-use super::{Arrangement, ModelSpace, Plan, Refusal, Thing};
+use super::{Arrangement, ModelSpace, Plan, Refusal, Thing, keys};
 use crate::document::{Edit, ListEdit};
 use crate::scene::{Cloud, CloudBox, CloudId, CloudModel, IdCounter, List, ModelId, Scene, ShadingGroup};
+use glam::DVec3;
 use std::collections::BTreeSet;
 
 /// Joins `ids` into the first of them.
@@ -44,23 +48,33 @@ pub fn clouds(scene: &Scene, ids: &[CloudId]) -> Result<Arrangement, Refusal> {
     } else {
         (*first_model).clone()
     };
+    let whole_id = whole.id;
+    let mut copied = Copied::default();
+    if is_shared {
+        copied.model(first_model, &whole);
+    }
     let into = Whole { cloud: first, model: first_model, space: ModelSpace::of(first) };
     for (cloud, model) in others {
-        let (groups, boxes) = into.brought(cloud, model, &mut plan.next_id);
+        let used = groups_used(&model.boxes);
+        let old_groups: Vec<&ShadingGroup> = model.groups.iter().filter(|group| used.contains(&group.id)).collect();
+        let (groups, boxes) = into.brought(cloud, model, &old_groups, &mut plan.next_id);
+        copied.parts((model.id, old_groups, &model.boxes), (whole_id, &groups, &boxes));
         whole.groups.extend(groups);
         whole.boxes.extend(boxes);
     }
-    let whole_id = whole.id;
     if is_shared {
         plan.insert_model(whole);
         plan.edits.push(Edit::Cloud(ListEdit::Replace(Cloud { model: whole_id, ..(*first).clone() })));
     } else {
         plan.edits.push(Edit::Model(ListEdit::Replace(whole)));
     }
-    plan.edits.extend(others.iter().map(|(cloud, _)| Edit::Cloud(ListEdit::Remove(cloud.id))));
+    let mut gone: BTreeSet<Thing> = others.iter().map(|(cloud, _)| Thing::Cloud(cloud.id)).collect();
     let theirs: BTreeSet<ModelId> = others.iter().map(|(cloud, _)| cloud.model).collect();
     let unused = theirs.into_iter().filter(|id| *id != first.model && !used_elsewhere.contains(id));
-    plan.edits.extend(unused.map(|id| Edit::Model(ListEdit::Remove(id))));
+    gone.extend(unused.map(Thing::Model));
+    copied.insert_tracks(&mut plan, DVec3::ZERO);
+    gone.extend(keys::doomed(scene, &gone));
+    plan.edits.extend(gone.into_iter().filter_map(Edit::removing));
     plan.made.push(Thing::Cloud(first.id));
     Ok(plan.done())
 }
@@ -73,17 +87,16 @@ struct Whole<'a> {
 }
 
 impl Whole<'_> {
-    /// Another cloud's boxes in this model's space, under new ids, with the groups that they are in.
+    /// Another cloud's boxes in this model's space, under new ids, with the groups that they are in, `used`.
     fn brought(
         &self,
         cloud: &Cloud,
         model: &CloudModel,
+        used: &[&ShadingGroup],
         counter: &mut IdCounter,
     ) -> (List<ShadingGroup>, List<CloudBox>) {
         let space = ModelSpace::of(cloud);
-        let used = groups_used(&model.boxes);
-        let (mut groups, mut boxes) =
-            copy_parts(model.groups.iter().filter(|group| used.contains(&group.id)), &model.boxes, counter);
+        let (mut groups, mut boxes) = copy_parts(used.iter().copied(), &model.boxes, counter);
         for group in &mut groups {
             group.light = self.space.light_from(&space, group.light);
         }
@@ -108,7 +121,7 @@ impl Whole<'_> {
 #[cfg(test)]
 mod tests {
     use super::super::duplicate::{self, Copy};
-    use super::super::test_scenes::{applied, assert_same_looks, placed, two_clouds};
+    use super::super::test_scenes::{applied, assert_same_looks, moved, placed, two_clouds, with_tracks};
     use super::*;
     use crate::scene::{CullRadius, SpriteEdit};
     use crate::sprites::PlacedCloud;
@@ -179,6 +192,47 @@ mod tests {
         assert_eq!((two.models.len(), two.clouds.len()), (2, 2));
         assert_same_looks(&placed(&linked, 2), &placed(&two, 1));
         assert_same_looks(&both(&placed(&linked, 0), &placed(&linked, 1)), &placed(&two, 0));
+    }
+
+    #[test]
+    fn tracks_go_over_to_what_is_left() {
+        let mut scene = airy();
+        let [(a, m), (b, n)] = [0, 1].map(|i| (scene.clouds[i].id, scene.models[i].id));
+        let [g, h] = [0, 1].map(|i| scene.models[i].groups[0].id);
+        let first_box = scene.models[1].boxes[0].id;
+        let of_first = [
+            format!("cloud/{a}/position"),
+            format!("model/{m}/color_levels/2/height"),
+            format!("model/{m}/group/{g}/light/c_max"),
+        ];
+        let of_second = [
+            format!("cloud/{b}/position"),
+            format!("model/{n}/color_levels/2/height"),
+            format!("model/{n}/group/{h}/light/c_max"),
+            format!("model/{n}/box/{first_box}/light/c_med"),
+        ];
+        with_tracks(&mut scene, &of_first);
+        with_tracks(&mut scene, &of_second);
+        let after = applied(&scene, &clouds(&scene, &[a, b]).expect("two"));
+        let whole = &after.models[0];
+        let brought = [
+            format!("model/{m}/group/{}/light/c_max", whole.groups[1].id),
+            format!("model/{m}/box/{}/light/c_med", whole.boxes[3].id),
+        ];
+        assert_eq!(moved(&after), of_first.iter().chain(&brought).cloned().collect());
+        // The first one's model is another cloud's too: its copy moves alike, and it itself as before.
+        let linked = applied(&scene, &duplicate::clouds(&scene, &[a], DVec3::X * 900.0, Copy::Linked));
+        let after = applied(&linked, &clouds(&linked, &[a, b]).expect("two"));
+        let whole = after.models.as_slice().last().expect("the copy");
+        let (c, own) = (linked.clouds[2].id, whole.id);
+        let all = [
+            format!("cloud/{c}/position"),
+            format!("model/{own}/color_levels/2/height"),
+            format!("model/{own}/group/{}/light/c_max", whole.groups[0].id),
+            format!("model/{own}/group/{}/light/c_max", whole.groups[1].id),
+            format!("model/{own}/box/{}/light/c_med", whole.boxes[3].id),
+        ];
+        assert_eq!(moved(&after), of_first.iter().chain(&all).cloned().collect());
     }
 
     #[test]

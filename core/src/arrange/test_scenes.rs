@@ -4,12 +4,14 @@ use super::Arrangement;
 use crate::derived::Derived;
 use crate::document::Document;
 use crate::problem;
+use crate::property::Target;
 use crate::scene::{
-    BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, GroupCenter, GroupId, GroupLight, ModelId, Scene,
-    ShadingGroup,
+    BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, GroupCenter, GroupId, GroupLight, KeyValue, ModelId, Scene,
+    ShadingGroup, Track, TrackId, TrackKey,
 };
 use crate::sprites::PlacedCloud;
 use glam::{DQuat, DVec3};
+use std::collections::BTreeSet;
 
 /// Two clouds of two models, each with three turned boxes, the last two in a named group, on no ground.
 pub(super) fn two_clouds() -> Scene {
@@ -41,6 +43,22 @@ pub(super) fn two_clouds() -> Scene {
     }
     assert_eq!(problem::check(&scene), []);
     scene
+}
+
+/// Gives each of those properties a track with one key.
+pub(super) fn with_tracks(scene: &mut Scene, properties: &[String]) {
+    for property in properties {
+        let parts = property.parse::<Target>().expect("a property").parts();
+        let value = if parts == 3 { KeyValue::Three([0.5; 3]) } else { KeyValue::One(0.5) };
+        let id = TrackId::new(&mut scene.next_id);
+        scene.tracks.push(Track::new(id, property.clone(), vec![TrackKey::new(1.0, value)]));
+    }
+}
+
+/// What the scene's tracks move, in no order. All of it is there.
+pub(super) fn moved(scene: &Scene) -> BTreeSet<String> {
+    let targets = scene.tracks.iter().map(|track| track.property.parse::<Target>().expect("a property"));
+    targets.inspect(|target| assert!(target.owner.is_in(scene), "{target}")).map(|target| target.to_string()).collect()
 }
 
 /// The scene after one transaction (which is refused if it leaves an error behind); undo and redo lead back and forth exactly.

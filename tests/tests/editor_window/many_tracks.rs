@@ -34,6 +34,7 @@ fn tracks() -> Scene {
 }
 
 #[test]
+#[allow(clippy::print_stdout, reason = "how long it took, for who asks with --nocapture")]
 fn what_is_in_sight_is_laid_out_and_all_is_found() {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("tracks.cloudscene");

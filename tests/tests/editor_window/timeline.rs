@@ -53,6 +53,19 @@ impl Window {
         self.harness.query_by_role_and_label(Role::Button, name).is_some()
     }
 
+    /// Turns the wheel away from the hand, over a place.
+    fn wheel_over(&mut self, at: Pos2, modifiers: Modifiers) {
+        self.pointer(at, None);
+        self.harness.event(Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: vec2(0.0, 100.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Unknown,
+            modifiers,
+        });
+        self.settle();
+    }
+
     /// Points of the timeline that a second takes.
     fn second(&self) -> f32 {
         let [a, b] = ["key of Exposure at 10 s", "key of Exposure at 20 s"].map(|name| self.key_named(name).x);
@@ -296,16 +309,7 @@ fn a_double_click_adds_a_key_and_the_wheel_zooms() {
     assert_eq!((track.keys.len(), window.undo_name().as_deref()), (4, Some("Add key")));
     assert!((track.keys[1].time_s - 15.0).abs() < 0.2 && (track.keys[1].value.parts()[0] - 1.4).abs() < 0.1);
     let before = window.second();
-    window.pointer(at, None);
-    let wheel = Event::MouseWheel {
-        unit: egui::MouseWheelUnit::Point,
-        delta: vec2(0.0, 100.0),
-        phase: egui::TouchPhase::Move,
-        source: egui::MouseWheelSource::Unknown,
-        modifiers: Modifiers::NONE,
-    };
-    window.harness.event(wheel);
-    window.settle();
+    window.wheel_over(at, Modifiers::NONE);
     assert!(window.second() > before * 1.2);
     assert!((window.key_named("key of Exposure at 10 s").x - at.x).abs() < 1.0, "about the pointer");
     window.keys(Modifiers::NONE, Key::F);
@@ -329,4 +333,177 @@ fn a_deleted_cloud_takes_its_tracks_along_and_a_copy_has_its_own() {
     assert!(window.scene().tracks.is_empty() && window.scene().clouds.is_empty());
     window.command(Command::Undo);
     assert_eq!((window.scene().tracks.len(), window.scene().clouds.len()), (1, 1), "one step");
+}
+
+#[test]
+fn a_place_and_the_exposure_are_keyed_and_moved_and_all_is_undone() {
+    let mut window = opened();
+    let start = window.file();
+    let cloud = window.scene().clouds[0].clone();
+    let place = format!("cloud/{}/position", cloud.id);
+    window.select([Item::Cloud(cloud.id)]);
+    window.command(Command::SkyPanel);
+    window.command(Command::TimelinePanel);
+    window.ask("Key Position");
+    window.ask("Key Exposure");
+    window.press("Auto-key");
+    window.put_timeline(30.0);
+    window.set("Position x", cloud.position.x + 900.0);
+    window.set("Exposure", -3.0);
+    assert_eq!([window.times(&place), window.times("sky/exposure_ev")], [[0.0, 30.0], [0.0, 30.0]]);
+    // Three pictures of the way, as numbers: where the cloud is, and how bright the sky.
+    let film = |window: &mut Window| {
+        [0.0, 15.0, 30.0].map(|time_s| {
+            window.put_timeline(time_s);
+            let timeline = window.session().derived().timeline();
+            let now = timeline.cloud_at(&window.scene().clouds[0], time_s).expect("it moves");
+            assert!((window.number("Position x") - now.position.x).abs() < 0.1, "the field shows what is seen");
+            [now.position.x - cloud.position.x, timeline.scene_at(window.scene(), time_s).sky.exposure_ev]
+        })
+    };
+    let bright = cloudwright_core::scene::Scene::default().sky.exposure_ev;
+    let before = film(&mut window);
+    assert_eq!([before[0], before[2]], [[0.0, bright], [900.0, -3.0]]);
+    assert!((before[1][0] - 450.0).abs() < 1e-6 && (before[1][1] - (bright - 3.0) / 2.0).abs() < 1e-6, "{before:?}");
+
+    // Both last keys, in a box, twenty seconds earlier: at half of the time all has come.
+    let [a, b] = ["key of Position at 30 s", "key of Exposure at 30 s"].map(|name| window.key_named(name));
+    let [low, high] = [a.min(b), a.max(b)];
+    window.drag(low - vec2(8.0, 9.0), high - low + vec2(16.0, 18.0));
+    let second = (a.x - window.key_named("key of Position at 0 s").x) / 30.0;
+    window.drag(a, vec2(-20.0 * second, 0.0));
+    assert_eq!([window.times(&place), window.times("sky/exposure_ev")], [[0.0, 10.0], [0.0, 10.0]]);
+    assert_eq!(window.undo_name().as_deref(), Some("Move keys"));
+    assert_eq!(film(&mut window)[1], [900.0, -3.0]);
+    window.command(Command::Undo);
+    assert_eq!(film(&mut window), before, "one step");
+    while window.undo_name().is_some() {
+        window.command(Command::Undo);
+    }
+    assert_eq!(window.file(), start);
+}
+
+#[test]
+fn with_ripple_later_keys_come_along() {
+    let mut window = with_exposure();
+    window.ask("Ripple in the timeline");
+    let (second, at) = (window.second(), window.key_named("key of Exposure at 20 s"));
+    window.drag(at, vec2(5.0 * second, 0.0));
+    assert_eq!(window.times("sky/exposure_ev"), [10.0, 25.0, 35.0]);
+    assert_eq!(window.undo_name().as_deref(), Some("Move keys and later ones"));
+    // The field of the time does the same, and no key that stays is passed.
+    window.set("Key time", 5.0);
+    assert_eq!(window.times("sky/exposure_ev"), [10.0, 10.001, 20.001]);
+    window.command(Command::Undo);
+    window.command(Command::Undo);
+    window.command(Command::RippleKeys);
+    window.drag(at, vec2(5.0 * second, 0.0));
+    assert_eq!(window.times("sky/exposure_ev"), [10.0, 25.0, 30.0]);
+}
+
+#[test]
+fn values_of_the_curves_are_zoomed_and_panned() {
+    let mut window = with_exposure();
+    window.press("Exposure of Sky");
+    window.command(Command::CurveView);
+    let names = ["key of Exposure at 10 s", "key of Exposure at 20 s", "key of Exposure at 30 s"];
+    let places = |window: &Window| names.map(|name| window.key_named(name));
+    let before = places(&window);
+    let room = |places: [Pos2; 3]| [places[2].x - places[0].x, places[0].y - places[2].y];
+    window.wheel_over(before[1], Modifiers::COMMAND);
+    let near = places(&window);
+    assert!(room(near)[1] > room(before)[1] * 1.2 && (room(near)[0] - room(before)[0]).abs() < 0.5, "values alone");
+    assert!(near[1].distance(before[1]) < 1.0, "about the pointer");
+    // Over the numbers, without Ctrl.
+    let keys = window.harness.get_by_label("Keys over time").rect();
+    window.wheel_over(Pos2::new(keys.left() + 12.0, before[1].y), Modifiers::NONE);
+    let nearer = places(&window);
+    assert!(room(nearer)[1] > room(near)[1] * 1.2 && (room(nearer)[0] - room(near)[0]).abs() < 0.5);
+    window.drag_with(PointerButton::Middle, Modifiers::NONE, before[1], vec2(30.0, 20.0));
+    let panned = places(&window);
+    assert!((panned[1] - nearer[1] - vec2(30.0, 20.0)).length() < 2.0, "{:?} from {:?}", panned[1], nearer[1]);
+    window.command(Command::FitTimeline);
+    assert!((room(places(&window))[1] - room(before)[1]).abs() < 0.5);
+}
+
+#[test]
+fn ends_and_snapping_by_command_and_a_thing_stops_moving() {
+    let mut window = with_exposure();
+    for ends in [Beyond::Repeat, Beyond::Swing, Beyond::Hold] {
+        window.command(Command::EndsAfter);
+        assert_eq!(window.track("sky/exposure_ev").after, ends);
+    }
+    window.command(Command::EndsBefore);
+    assert_eq!(window.track("sky/exposure_ev").before, Beyond::Repeat);
+    window.command(Command::SnapKeys);
+    let (second, at) = (window.second(), window.key_named("key of Exposure at 20 s"));
+    window.drag(at, vec2(3.3 * second, 0.0));
+    assert_eq!(window.times("sky/exposure_ev"), [10.0, 23.0, 30.0], "to whole seconds");
+    let cloud = Item::Cloud(window.scene().clouds[0].id);
+    window.select([cloud]);
+    window.ask("Key Opacity");
+    window.ask("Key Position");
+    assert_eq!(window.scene().tracks.len(), 3);
+    window.command(Command::ClearKeys);
+    assert_eq!(window.scene().tracks.len(), 1);
+    assert_eq!(window.undo_name().as_deref(), Some("Clear all keys"));
+}
+
+#[test]
+fn the_shading_curve_and_the_view_go_by_the_clock() {
+    let mut window = opened();
+    let (cloud, model) = (window.scene().clouds[0].clone(), window.scene().models[0].clone());
+    window.command(Command::GroupsPanel);
+    window.command(Command::TimelinePanel);
+    window.select([Item::Box(model.id, model.boxes[0].id)]);
+    window.ask("Key Across");
+    window.command(Command::AutoKey);
+    window.put_timeline(10.0);
+    let dot = |window: &Window| window.node(Role::Slider, "Across").accesskit_node().numeric_value().expect("a share");
+    let before = dot(&window);
+    window.node(Role::Slider, "Across").set_value_accesskit(before - 0.4);
+    window.settle();
+    let track = format!("model/{}/box/{}/light/c_med", model.id, model.boxes[0].id);
+    assert_eq!(window.times(&track), [0.0, 10.0], "a dot that is dragged sets a key");
+    assert_eq!(window.scene().models[0].boxes[0].light, model.boxes[0].light);
+    window.put_timeline(5.0);
+    assert!((dot(&window) - before + 0.2).abs() < 1e-6, "half way");
+
+    window.select([Item::Cloud(cloud.id)]);
+    window.ask("Key Position");
+    window.put_timeline(20.0);
+    window.set("Position x", cloud.position.x + 5000.0);
+    let mut eye = |time_s: f64| {
+        window.put_timeline(time_s);
+        window.command(Command::FrameSelection);
+        window.harness.state().camera().position
+    };
+    let way = eye(20.0) - eye(5.0);
+    assert!((way.x - 5000.0).abs() < 1.0 && way.y.abs() < 1.0, "{way}");
+}
+
+#[test]
+fn a_camera_is_drawn_and_picked_where_its_tracks_have_it() {
+    let mut window = opened();
+    window.command(Command::TimelinePanel);
+    window.command(Command::AddCamera);
+    let camera = window.scene().cameras.as_slice().last().expect("it was added").clone();
+    window.select([Item::Camera(camera.id)]);
+    window.ask("Key Position");
+    window.command(Command::AutoKey);
+    window.put_timeline(10.0);
+    let ahead = window.view().ray(200.0, 100.0);
+    let place = camera.position + ahead.as_dvec3() * 300.0;
+    for (axis, value) in ["Position x", "Position y", "Position z"].into_iter().zip(place.to_array()) {
+        window.set(axis, value);
+    }
+    window.command(Command::ShowBoxes);
+    window.select([]);
+    let at = window.on_screen(place);
+    window.click(at, Modifiers::NONE);
+    assert_eq!(window.primary(), Some(Item::Camera(camera.id)));
+    window.put_timeline(0.0);
+    window.select([]);
+    window.click(at, Modifiers::NONE);
+    assert_ne!(window.primary(), Some(Item::Camera(camera.id)), "by then it is here");
 }

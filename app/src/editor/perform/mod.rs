@@ -5,6 +5,7 @@ mod arrange;
 mod flight;
 mod keys;
 mod shade;
+mod tracks;
 mod view;
 
 use super::dialogs::Dialog;
@@ -12,7 +13,7 @@ use super::intent::Intent;
 use super::{Ask, Editor};
 use crate::command::Command;
 use crate::panel::Panel;
-use crate::state::{Action, Item, Selection, SpriteMarks, Tool};
+use crate::state::{Action, Item, Selection, SpriteMarks, TimeSnap, Tool};
 use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
 
@@ -127,6 +128,8 @@ impl Editor {
             Command::DeleteKeys | Command::CopyKeys | Command::DuplicateKeys | Command::MirrorKeys => self.has_keys(),
             Command::SlowKeys | Command::QuickenKeys | Command::KeysStep | Command::KeysLinear => self.has_keys(),
             Command::KeysSmooth | Command::KeysFlat | Command::KeysFree => self.has_keys(),
+            Command::EndsBefore | Command::EndsAfter => self.has_keys(),
+            Command::ClearKeys => self.selection_has_keys(),
             _ => true,
         }
     }
@@ -153,6 +156,8 @@ impl Editor {
             Command::PlayFlight => self.clock.plays(),
             Command::LoopFlight => self.clock.loops(),
             Command::AutoKey => view.timeline.auto_key,
+            Command::RippleKeys => view.timeline.ripple,
+            Command::SnapKeys => view.timeline.snap != TimeSnap::Off,
             Command::CurveView => view.timeline.curves,
             Command::BoardFlight => self.clock.boards(),
             Command::RecordFlight => self.recording.is_some(),
@@ -200,8 +205,12 @@ impl Editor {
             Command::AutoGroup => self.auto_group(),
             Command::CopyLevels => self.copy_levels(),
             Command::PasteLevels => self.paste_levels(),
-            Command::FrameSelection => self.viewport.frame(&self.view.selection, &self.session),
-            Command::FrameAll => self.viewport.frame(&Selection::default(), &self.session),
+            Command::FrameSelection => {
+                self.viewport.frame(&self.view.selection, &self.session, self.clock.time_s());
+            }
+            Command::FrameAll => {
+                self.viewport.frame(&Selection::default(), &self.session, self.clock.time_s());
+            }
             Command::LookThrough => self.look_through_next(),
             Command::AlignCamera => self.align_camera(),
             Command::Hide => self.toggle_hidden(),
@@ -242,6 +251,10 @@ impl Editor {
             Command::FlightPanel => self.layout.bring_up(Panel::Flight),
             Command::KeyValue => self.key_value(context),
             Command::AutoKey => self.view.timeline.auto_key ^= true,
+            Command::RippleKeys => self.view.timeline.ripple ^= true,
+            Command::SnapKeys => self.view.timeline.snap = self.view.timeline.snap.next(),
+            Command::EndsBefore | Command::EndsAfter => self.cycle_ends(command),
+            Command::ClearKeys => self.clear_keys(),
             Command::PreviousKey => self.seek_key(false),
             Command::NextKey => self.seek_key(true),
             Command::AddKeys => self.add_keys(),

@@ -5,8 +5,7 @@
 //! the arrow keys while it has the focus, in finer steps with Shift.
 
 use crate::theme;
-use cloudwright_core::property::{C_MAX, C_MED, C_MIN, Number};
-use cloudwright_core::scene::GroupLight;
+use cloudwright_core::property::{C_MAX, C_MED, C_MIN, HasLight, Number, Row};
 use cloudwright_core::shading::directional_share;
 use egui::accesskit::{Action, ActionData, Role};
 use egui::{
@@ -28,8 +27,9 @@ const STEP: f64 = 0.05;
 pub(super) struct Shares([f64; 3]);
 
 impl Shares {
-    pub(super) fn of(light: &GroupLight) -> Self {
-        Self([light.c_min, light.c_med, light.c_max])
+    /// As `shown` says of each of the three.
+    pub(super) fn of(shown: impl Fn(At) -> f64) -> Self {
+        Self(std::array::from_fn(shown))
     }
 
     /// The light on the side that is turned `angle` from the sun, radians.
@@ -39,9 +39,9 @@ impl Shares {
     }
 }
 
-/// Gives one of the three numbers another value.
-pub(super) fn set(light: &mut GroupLight, at: At, share: f64) {
-    *[&mut light.c_min, &mut light.c_med, &mut light.c_max][at] = share;
+/// The row of one of the three numbers.
+pub(super) fn row<T: HasLight>(at: At) -> Option<&'static Row<T>> {
+    T::LIGHT.iter().find(|row| row.property.label == NUMBERS[at].label)
 }
 
 /// Shows it. The number that was changed, with its new value.

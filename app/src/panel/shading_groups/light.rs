@@ -8,7 +8,7 @@ use crate::state::{Action, Item, Reading, box_of, group_of};
 use crate::widget::{Fields, heading};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{self, GROUP_NAME, HasLight};
+use cloudwright_core::property::{self, GROUP_NAME, HasLight, Value};
 use cloudwright_core::scene::{CloudBox, CloudModel, GroupCenter, GroupLight, ModelId, ShadingGroup};
 use cloudwright_core::sprites::GroupKey;
 use egui::Ui;
@@ -88,7 +88,13 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
         Owner::Box(each) if each.name.is_empty() => format!("box {}", each.id),
         Owner::Box(each) => each.name.clone(),
     };
-    let before = Shares::of(first.light());
+    let all: Vec<&Lit> = lights.iter().collect();
+    let owned = || Fields::of(&all, reading).owned(lights.iter().map(Lit::in_tracks));
+    // As tracks have them at the clock's time.
+    let before = Shares::of(|at| match curve::row(at).and_then(|row| owned().value(row, 0, 0)) {
+        Some(Value::Number(share)) => share,
+        _ => 0.0,
+    });
     let tint = crate::theme::group_tint(match &first.owner {
         Owner::Group(group) => group.id.0,
         Owner::Box(each) => each.id.0,
@@ -96,14 +102,11 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
     let more = if lights.len() > 1 { format!(" and {} more", lights.len() - 1) } else { String::new() };
     heading(ui, &format!("Light of {title}{more}"));
     ui.push_id(("light", model.id), |ui| {
-        if let Some((at, share)) = curve::show(ui, &before, tint) {
-            let mut edits = Vec::new();
-            for mut each in lights.iter().cloned() {
-                curve::set(each.light_mut(), at, share);
-                edits.push(each.edit());
-            }
+        if let Some((at, share)) = curve::show(ui, &before, tint)
+            && let Some(row) = curve::row(at)
+        {
             let live = ui.input(|input| input.pointer.any_down());
-            actions.push(Action::Change { name: "Shape light", edits, live });
+            owned().set_number((row, share), "Shape light", live, actions, |_, lit| lit.edit());
         }
         if let [Lit { model, owner: Owner::Group(group), .. }] = lights.as_slice() {
             let edit = |_, group| Edit::Group(*model, ListEdit::Replace(group));
@@ -112,7 +115,6 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
             };
             Fields::of(&[group], reading).show(ui, "Rename shading group", actions, name, edit);
         }
-        let all: Vec<&Lit> = lights.iter().collect();
         // A centre put by hand begins where it lies.
         let edit = |at: usize, mut lit: Lit| {
             if lit.is_by_hand() && !all[at].is_by_hand() {
@@ -120,14 +122,7 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
             }
             lit.edit()
         };
-        let owners = lights.iter().map(Lit::in_tracks);
-        Fields::of(&all, reading).owned(owners).show(
-            ui,
-            "Change shading",
-            actions,
-            |fields, ui| fields.rows(ui, Lit::LIGHT),
-            edit,
-        );
+        owned().show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, Lit::LIGHT), edit);
     });
 }
 

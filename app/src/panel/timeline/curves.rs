@@ -1,27 +1,26 @@
 //! The chosen tracks as curves over the same time, with their keys and handles.
 //!
 //! Tracks of one property share a scale, so that they can be compared; those of different ones fill the height each by
-//! itself. The numbers at the left are the first one's.
+//! itself. The numbers at the left are the first one's. What of the values is in sight [`super::values`] knows.
 
 use super::lines::Lines;
 use super::memory::Memory;
 use super::sheet::{curve_of, in_sight, part_name};
 use super::span::{Span, seconds};
 use super::spot::{self, Spot, What};
+use super::values;
 use crate::state::{Action, Choose, Reading, TimelineChange};
 use crate::theme;
 use cloudwright_core::property::Target;
 use cloudwright_core::scene::{Track, TrackId};
 use cloudwright_core::weather::Curve;
-use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2};
+use egui::{Align2, Color32, CursorIcon, FontId, Painter, Pos2, Rect, Shape, Stroke, Ui, pos2};
 use std::sync::Arc;
 
 /// More curves than this nobody tells apart.
 const MOST: usize = 24;
 /// Between two samples, points.
 const SAMPLE: f32 = 2.0;
-/// Of the values, what stays free above and below, as a share.
-const ROOM: f64 = 0.12;
 /// Between lines with numbers, points at least.
 const TICK: f32 = 34.0;
 
@@ -69,14 +68,14 @@ impl Plot {
         let mut curves: Vec<Drawn> = shown.filter_map(drawn).collect();
         let natural: Vec<[f64; 2]> = curves.iter().map(|drawn| drawn.ends).collect();
         for at in 0..curves.len() {
-            let same = |other: &usize| curves[*other].target.property.is_the_same(curves[at].target.property);
-            let all = (0..curves.len()).filter(same).map(|other| natural[other]);
-            let [low, high] = all.fold(natural[at], |[low, high], ends| [low.min(ends[0]), high.max(ends[1])]);
-            let room = if high > low { (high - low) * ROOM } else { (high.abs() * 0.1).max(0.5) };
-            let kept = memory.gesture.is_some().then(|| memory.scales.get(&curves[at].id)).flatten();
-            curves[at].ends = kept.copied().unwrap_or([low - room, high + room]);
+            let is_same = |other: &usize| curves[*other].target.property.is_the_same(curves[at].target.property);
+            let same: Vec<usize> = std::iter::once(at).chain((0..curves.len()).filter(is_same)).collect();
+            let all = same.iter().map(|other| natural[*other]);
+            let all = all.fold(natural[at], |[low, high], ends| [low.min(ends[0]), high.max(ends[1])]);
+            let ids: Vec<TrackId> = same.iter().map(|other| curves[*other].id).collect();
+            curves[at].ends = memory.values.of(&ids, all, memory.gesture.is_some());
         }
-        memory.scales = curves.iter().map(|drawn| (drawn.id, drawn.ends)).collect();
+        memory.values.keep(curves.iter().map(|drawn| (drawn.id, drawn.ends)));
         Self { rect, span, curves }
     }
 
@@ -148,6 +147,12 @@ impl Plot {
         let fine = ui.visuals().widgets.noninteractive.bg_stroke;
         for time_s in self.span.marks(self.span.step_s()) {
             painter.vline(self.span.x_of(time_s), self.rect.y_range(), Stroke::new(0.5, fine.color));
+        }
+        // Under the numbers: here the wheel is theirs.
+        let axis = self.rect.with_max_x(self.rect.left() + values::AXIS);
+        painter.rect_filled(axis, 0.0, ui.visuals().panel_fill.gamma_multiply(0.7));
+        if ui.rect_contains_pointer(axis) && ui.input(|input| !input.pointer.any_down()) {
+            ui.ctx().set_cursor_icon(CursorIcon::ResizeVertical);
         }
         let count = ((high - low) / step).clamp(0.0, 100.0) as i64;
         for line in 0..=count + 1 {

@@ -2,6 +2,7 @@
 //!
 //! A drag starts each step from the tracks as they were when it began. Shift makes it finer (in the curves it keeps to one
 //! axis), Ctrl coarser, Alt scales distances from the clock; Esc or the other button takes it back.
+//! With *Ripple*, what comes later goes along.
 
 use super::curves::Plot;
 use super::lines::Lines;
@@ -13,7 +14,7 @@ use crate::state::{Action, Choose, Reading, TimelineChange};
 use cloudwright_core::arrange::keys::{self, KeyPlace, Rekeyed};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::Target;
-use cloudwright_core::scene::{Handles, KeyValue, Track, TrackId};
+use cloudwright_core::scene::{Handles, KeyValue, Track, TrackId, TrackKey};
 use egui::{Key, Modifiers, Pos2, Rect, Ui, Vec2};
 use std::collections::BTreeSet;
 use std::sync::Arc;
@@ -149,10 +150,13 @@ impl Field<'_, '_> {
     fn drag(&self, held: &mut Held, modifiers: Modifiers, live: bool, actions: &mut Vec<Action>) {
         let clock_s = self.reading.clock.time_s();
         let wanted_s = held.time_s + f64::from(held.by.x) * self.span.s_per_point();
-        // Times that are there as well: of other keys, of the clock, and the start.
+        let ripples = self.reading.view.timeline.ripple && !held.scales;
+        let tracks = || held.tracks.iter().map(|track| &**track);
+        let moving = if ripples { keys::with_later(tracks(), &held.chosen) } else { held.chosen.clone() };
+        // Times that are there as well: of keys that stay, of the clock, and the start.
         let others = held.tracks.iter().flat_map(|track| {
             let keys = track.keys.iter().enumerate();
-            keys.filter(|(index, _)| !held.chosen.contains(&(track.id, *index))).map(|(_, key)| key.time_s)
+            keys.filter(|(index, _)| !moving.contains(&(track.id, *index))).map(|(_, key)| key.time_s)
         });
         let fine = modifiers.shift && self.plot.is_none();
         let snap = if fine { crate::state::TimeSnap::Off } else { self.reading.view.timeline.snap };
@@ -163,22 +167,28 @@ impl Field<'_, '_> {
         if std::mem::replace(&mut held.asked, asked) == asked && live {
             return;
         }
-        let tracks = || held.tracks.iter().map(|track| &**track);
         let (name, rekeyed) = if held.scales && (held.time_s - clock_s).abs() > keys::SAME_S {
             let by = ((time_s - clock_s) / (held.time_s - clock_s)).max(1e-3);
             ("Scale keys", keys::scaled(tracks(), &held.chosen, clock_s, by))
         } else {
             let by_s = time_s - held.time_s;
-            let rekeyed = keys::reshaped(tracks(), &held.chosen, |(id, _), key| {
-                key.time_s += by_s;
+            let set_value = |(id, _): KeyPlace, key: &mut TrackKey| {
                 if let (Some(part), Some(plot)) = (held.part, self.plot) {
                     let by = -f64::from(held.by.y) * plot.value_per_point(id);
                     let parts = key.value.parts_mut();
                     let part = part.min(parts.len() - 1);
                     parts[part] += by;
                 }
-            });
-            ("Move keys", rekeyed)
+            };
+            if ripples {
+                ("Move keys and later ones", keys::rippled(tracks(), &held.chosen, by_s, set_value))
+            } else {
+                let rekeyed = keys::reshaped(tracks(), &held.chosen, |place, key| {
+                    key.time_s += by_s;
+                    set_value(place, key);
+                });
+                ("Move keys", rekeyed)
+            }
         };
         actions.push(step(name, &held.tracks, rekeyed, live));
     }

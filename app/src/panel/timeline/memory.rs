@@ -1,14 +1,15 @@
 //! What the panel remembers from frame to frame: what is in sight, what is typed and folded, and a gesture in the making.
 
 use super::lines::{Group, Lines};
+use super::values::Values;
 use crate::state::Reading;
 use cloudwright_core::arrange::keys::KeyPlace;
 use cloudwright_core::property::Target;
-use cloudwright_core::scene::{Track, TrackId};
+use cloudwright_core::scene::Track;
 use cloudwright_core::version::Version;
 use egui::mutex::Mutex;
 use egui::{Context, Id, Pos2, Vec2};
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 
 /// Of one window.
@@ -21,8 +22,8 @@ pub(super) struct Memory {
     /// Groups whose tracks are folded away.
     pub(super) folded: BTreeSet<Group>,
     pub(super) gesture: Option<Gesture>,
-    /// Of each curve, the lowest and the highest value in sight; the same while a hand drags.
-    pub(super) scales: BTreeMap<TrackId, [f64; 2]>,
+    /// What of the curves' values is in sight.
+    pub(super) values: Values,
     /// How often the view had been asked to fit and to reveal, when it was done last.
     pub(super) fitted: u64,
     pub(super) revealed: u64,

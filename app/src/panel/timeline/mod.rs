@@ -14,6 +14,7 @@ mod sheet;
 mod span;
 mod spot;
 mod toolbar;
+mod values;
 
 use crate::command::{Command, give_keys_to_timeline};
 use crate::state::{Action, Choose, Reading, TimelineChange};
@@ -96,22 +97,32 @@ fn in_sight(ui: &Ui, place: &Place, memory: &mut Memory, lines: &Lines, reading:
     let x = Rangef::new(place.keys.left(), place.keys.right());
     if std::mem::replace(&mut memory.fitted, reading.view.timeline.fit) != reading.view.timeline.fit {
         memory.times_s = Some(Span::around(extent(lines, reading).unwrap_or(clock_s)));
+        memory.values.fit();
     }
     let mut span = Span { x, times_s: memory.times_s.unwrap_or_else(|| Span::around(clock_s)) };
     let before = span.times_s;
     let area = place.keys.union(place.ruler);
     if ui.rect_contains_pointer(area) {
-        let (at, wheel, drag) = ui.input_mut(|input| {
+        let (at, mut wheel, zoom, drag) = ui.input_mut(|input| {
             let drag = if input.pointer.middle_down() { input.pointer.delta() } else { Vec2::ZERO };
             // What zooms does not scroll the lines.
             let wheel = std::mem::take(&mut input.smooth_scroll_delta);
-            (input.pointer.latest_pos(), wheel, drag)
+            (input.pointer.latest_pos(), wheel, input.zoom_delta(), drag)
         });
+        if reading.view.timeline.curves
+            && let Some(at) = at.filter(|at| place.keys.contains(*at))
+        {
+            // With Ctrl or over its numbers, the wheel is about the values.
+            let turned = if values::over_axis(at.x, &span) { std::mem::take(&mut wheel.y) } else { 0.0 };
+            let factor = f64::from((-turned / ZOOM).exp() / zoom);
+            let rect = plot_rect(place);
+            let [about, up] = [rect.bottom() - at.y, -drag.y].map(|points| points / rect.height().max(1.0));
+            memory.values.change(factor, f64::from(about), f64::from(up));
+        } else if drag.y != 0.0 {
+            memory.scrolled += drag.y;
+        }
         if let Some(at) = at {
             span = span.zoomed(at.x, f64::from((-wheel.y / ZOOM).exp())).panned(wheel.x + drag.x);
-        }
-        if drag.y != 0.0 {
-            memory.scrolled += drag.y;
         }
     }
     if span.times_s != before {
@@ -134,6 +145,11 @@ fn extent(lines: &Lines, reading: &Reading<'_>) -> Option<[f64; 2]> {
         times_s = keys.map(|key| key.time_s).fold(none, ends);
     }
     (times_s[0] <= times_s[1]).then_some(times_s)
+}
+
+/// Where curves are.
+fn plot_rect(place: &Place) -> Rect {
+    place.keys.shrink2(vec2(0.0, 4.0))
 }
 
 /// Names, keys or curves, and what a hand does there.
@@ -164,7 +180,7 @@ fn body(
         }
         memory.forget_lines();
     }
-    let plot = shows_curves.then(|| Plot::new(place.keys.shrink2(vec2(0.0, 4.0)), *span, lines, memory, reading));
+    let plot = shows_curves.then(|| Plot::new(plot_rect(place), *span, lines, memory, reading));
     if let Some(plot) = &plot {
         ui.painter().rect_filled(place.keys, 0.0, ui.visuals().extreme_bg_color);
         ruler::shade(&ui.painter_at(place.keys), place.keys, played, ui.visuals().panel_fill);

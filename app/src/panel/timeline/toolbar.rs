@@ -10,7 +10,7 @@ use cloudwright_core::arrange::keys::{self, MOST_S};
 use cloudwright_core::property::{Number, Target};
 use cloudwright_core::scene::{Leaves, TrackId};
 use egui::scroll_area::ScrollBarVisibility;
-use egui::{Button, ComboBox, RichText, ScrollArea, Ui};
+use egui::{Button, RichText, ScrollArea, Ui};
 
 const TIME: Number = Number {
     label: "Key time",
@@ -20,14 +20,26 @@ const TIME: Number = Number {
     doc: "When the first chosen key stands; the others keep their distance.",
 };
 
+/// With less from left to right, the buttons stand closer, so that a place's three values are in sight too, points.
+const ROOMY: f32 = 900.0;
+
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     // In one line, whatever is chosen: the keys below are not to move away from the pointer.
     let line = ScrollArea::horizontal().id_salt("tools").scroll_bar_visibility(ScrollBarVisibility::AlwaysHidden);
-    line.show(ui, |ui| ui.horizontal(|ui| tools(ui, reading, actions)));
+    let is_narrow = ui.available_width() < ROOMY;
+    line.show(ui, |ui| {
+        ui.horizontal(|ui| {
+            if is_narrow {
+                ui.spacing_mut().item_spacing.x = 4.0;
+                ui.spacing_mut().button_padding.x = 5.0;
+            }
+            tools(ui, is_narrow, reading, actions);
+        });
+    });
 }
 
-fn tools(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    auto_key(ui, reading, actions);
+fn tools(ui: &mut Ui, is_narrow: bool, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    auto_key(ui, is_narrow, reading, actions);
     let play = if reading.clock.plays() { icon::PAUSE } else { icon::PLAY };
     for (command, text, on) in [
         (Command::PreviousKey, icon::SKIP_BACK, false),
@@ -38,6 +50,7 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         button(ui, command, text, on, actions);
     }
     button(ui, Command::AddKeys, icon::PLUS, false, actions);
+    button(ui, Command::RippleKeys, Command::RippleKeys.row().name, reading.view.timeline.ripple, actions);
     button(ui, Command::CurveView, icon::CHART_LINE, reading.view.timeline.curves, actions);
     snap(ui, reading, actions);
     ends::show(ui, reading, actions);
@@ -45,10 +58,11 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
 }
 
 /// Red while it is on: what hands change then is kept in keys.
-fn auto_key(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+fn auto_key(ui: &mut Ui, is_narrow: bool, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let on = reading.view.timeline.auto_key;
     let row = Command::AutoKey.row();
-    let mut text = RichText::new(format!("{} {}", icon::RECORD, row.name));
+    let mut text =
+        RichText::new(if is_narrow { icon::RECORD.into() } else { format!("{} {}", icon::RECORD, row.name) });
     if on {
         text = text.color(egui::Color32::WHITE).strong();
     }
@@ -77,16 +91,16 @@ fn snap(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let all = [(TimeSnap::Off, "Free"), (TimeSnap::Frames, "Frames"), (TimeSnap::Seconds, "Seconds")];
     let present = reading.view.timeline.snap;
     let shown = all.iter().find(|(each, _)| *each == present).map_or("", |(_, name)| name);
-    let combo = ComboBox::from_id_salt("snap").width(66.0).selected_text(format!("{} {shown}", icon::MAGNET));
-    let combo = combo.show_ui(ui, |ui| {
+    let menu = ui.menu_button(format!("{} {shown}", icon::MAGNET), |ui| {
         for (each, name) in all {
             if ui.selectable_label(each == present, name).clicked() {
                 actions.push(Action::Timeline(TimelineChange::Snap(each)));
+                ui.close();
             }
         }
     });
-    name_it(ui, &combo.response, "Times snap to");
-    combo.response.on_hover_text(
+    name_it(ui, &menu.response, "Times snap to");
+    menu.response.on_hover_text(
         "What dragged keys snap to, besides other keys and the clock: 24 frames a second, or seconds. Shift drags finely, Ctrl by seconds.",
     );
 }
@@ -105,7 +119,12 @@ fn chosen(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let live = ui.input(|input| input.pointer.any_down());
     let mut time_s = key.time_s;
     if number_field(ui, TIME.label, &TIME, &mut time_s, false) {
-        let rekeyed = keys::moved(&scene.tracks, places, time_s - key.time_s);
+        let by_s = time_s - key.time_s;
+        let rekeyed = if reading.view.timeline.ripple {
+            keys::rippled(&scene.tracks, places, by_s, |_, _| {})
+        } else {
+            keys::moved(&scene.tracks, places, by_s)
+        };
         actions.push(Action::Keys { name: "Move keys".into(), rekeyed, live, choose: true });
     }
     let shown = match (key.leaves, &key.handles) {

@@ -46,7 +46,7 @@ impl Changed {
 
 impl<T: Clone + PartialEq> Fields<'_, T> {
     /// What is shown of the thing at that place: its track's number, or its own value.
-    pub(super) fn value(&self, row: &'static Row<T>, part: usize, at: usize) -> Option<Value> {
+    pub(crate) fn value(&self, row: &'static Row<T>, part: usize, at: usize) -> Option<Value> {
         let own = row.value(self.things.get(at)?, part)?;
         let keyed = self.target(row, at).and_then(|target| self.reading.keyed_number(&target, part));
         Some(keyed.map_or(own, Value::Number))

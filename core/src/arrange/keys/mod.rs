@@ -1,4 +1,4 @@
-//! Keys of tracks, many at a time: set, moved, scaled, mirrored, copied, deleted.
+//! Keys of tracks, many at a time: set, moved, rippled, scaled, mirrored, copied, deleted.
 //!
 //! Each is a pure function of tracks and of the keys that are chosen to [`Rekeyed`]: whole tracks in place of the old
 //! ones, and where the chosen keys stand in them. A drag starts anew from the tracks as they were when it began, so that
@@ -8,6 +8,7 @@ mod clip;
 mod order;
 mod owned;
 mod reshape;
+mod ripple;
 mod set;
 mod slopes;
 #[cfg(test)]
@@ -15,8 +16,10 @@ mod tests;
 
 pub use clip::{Clip, copied, duplicated, pasted};
 pub use order::{MOST_S, SAME_S, to_step};
+pub use owned::cleared_of;
 pub(super) use owned::{doomed, of_copies};
 pub use reshape::{deleted, mirrored, moved, reshaped, scaled};
+pub use ripple::{rippled, with_later};
 pub use set::{cleared, keyed, next_key_s, removed};
 pub use slopes::{Ease, eased, slopes_at};
 

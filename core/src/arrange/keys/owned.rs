@@ -1,5 +1,7 @@
-//! The tracks of things that go or are copied.
+//! The tracks of things that go, are copied, or are no longer to move.
 
+use super::Rekeyed;
+use crate::document::Edit;
 use crate::property::{Owner, Target};
 use crate::scene::{Scene, Thing, Track};
 use std::collections::BTreeSet;
@@ -11,6 +13,12 @@ pub(in crate::arrange) fn doomed(scene: &Scene, things: &BTreeSet<Thing>) -> Vec
         target.is_ok_and(|target| holders(target.owner).into_iter().flatten().any(|thing| things.contains(&thing)))
     };
     scene.tracks.iter().filter(is_doomed).map(|track| Thing::Track(track.id)).collect()
+}
+
+/// Without the tracks of `things`, and of what is part of them.
+pub fn cleared_of(scene: &Scene, things: &[Thing]) -> Rekeyed {
+    let tracks = doomed(scene, &things.iter().copied().collect());
+    Rekeyed { edits: tracks.into_iter().filter_map(Edit::removing).collect(), chosen: BTreeSet::new() }
 }
 
 /// What an owner is, and what it is part of, of the things that can be chosen.

@@ -77,6 +77,38 @@ fn moved_keys_pass_others_and_take_their_place() {
     assert!(after(&scene, &deleted(&scene.tracks, &all)).tracks.is_empty(), "no track without keys");
 }
 
+#[test]
+fn a_ripple_takes_along_what_comes_later() {
+    let mut scene = exposure(&[0.0, 1.0, 2.0, 3.0]);
+    for (time_s, gain) in [(0.5, 1.0), (1.5, 2.0), (9.0, 3.0)] {
+        scene = after(&scene, &keyed(&scene, &[(target("sky/gain"), KeyValue::One(gain))], time_s));
+    }
+    let gains = |scene: &Scene| scene.tracks[1].keys.iter().map(|key| key.time_s).collect::<Vec<_>>();
+    let ripple = |scene: &Scene, chosen: &BTreeSet<KeyPlace>, by_s| rippled(&scene.tracks, chosen, by_s, |_, _| {});
+    let second = chosen(&scene, &[1]);
+    let rekeyed = ripple(&scene, &second, 2.5);
+    let later = after(&scene, &rekeyed);
+    assert_eq!(keys_of(&later).map_times(), [0.0, 3.5, 4.5, 5.5]);
+    assert_eq!(gains(&later), [0.5, 1.5, 9.0], "no key of it is chosen");
+    assert_eq!(rekeyed.chosen, second);
+    // In all tracks from the first chosen key on, whichever it is of.
+    let both: BTreeSet<_> = second.iter().copied().chain([(scene.tracks[1].id, 2)]).collect();
+    let later = after(&scene, &ripple(&scene, &both, 1.0));
+    assert_eq!((keys_of(&later).map_times(), gains(&later)), (vec![0.0, 2.0, 3.0, 4.0], vec![0.5, 2.5, 10.0]));
+    assert_eq!(with_later(&scene.tracks, &both).len(), 5);
+    // Backwards as far as there is time, in the track that has least.
+    let earlier = after(&scene, &ripple(&scene, &both, -5.0));
+    assert_eq!(keys_of(&earlier).map_times(), [0.0, 0.001, 1.001, 2.001]);
+    assert_eq!(gains(&earlier), [0.5, 0.501, 8.001]);
+    for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        let keys = keys_of(&after(&scene, &ripple(&scene, &second, bad))).map_times();
+        assert!(keys.len() == 4 && keys.iter().all(|time_s| time_s.abs() <= MOST_S), "{bad}: {keys:?}");
+    }
+    assert_eq!(ripple(&scene, &BTreeSet::new(), 1.0), Rekeyed::default());
+    let changed = rippled(&scene.tracks, &second, 1.0, |_, key| key.value = KeyValue::One(-4.0));
+    assert_eq!(keys_of(&after(&scene, &changed)), [(0.0, 0.0), (2.0, -4.0), (3.0, 2.0), (4.0, 3.0)]);
+}
+
 trait Times {
     fn map_times(&self) -> Vec<f64>;
 }
