@@ -131,3 +131,86 @@ impl PluginKind {
         })
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::parameter::{ParameterKind, ParameterValue};
+    use crate::{Fault, Plugin};
+
+    const GOOD: &str = r#"// A script may begin with words.
+const PLUGIN = #{
+    name: "Test", kind: "weather", sentence: "For tests.", author: "A", version: "2",
+    parameters: [
+        #{ name: "length_s", label: "Length", unit: "s", kind: "number", min: 1, max: 60.5, soft_max: 30, step: 0.5, initial: 9 },
+        #{ name: "count", kind: "integer", min: -5, initial: -3 },
+        #{ name: "mode", kind: "choice", choices: ["calm", "wild"] },
+        #{ name: "tint", kind: "color", initial: [1, 0.5, 0], shown_if: #{ mode: "wild" } },
+        #{ name: "again", kind: "flag" }, #{ name: "words", kind: "text", initial: "a b" },
+        #{ name: "dice", kind: "seed", initial: 7 }, #{ name: "of", kind: "cloud" }, #{ name: "kind_of", kind: "model" },
+    ],
+};
+fn run(p) { throw "it was run"; }
+"#;
+
+    #[test]
+    fn a_plugin_says_what_it_is_before_it_runs() {
+        let description = Plugin::read(GOOD).expect("a plugin").description;
+        assert_eq!((description.name.as_str(), description.kind), ("Test", PluginKind::Weather));
+        assert_eq!((description.author.as_str(), description.version.as_str()), ("A", "2"));
+        assert_eq!(description.parameters.len(), 9);
+        let length = description.parameter("length_s").expect("a length");
+        let ParameterKind::Number(span) = &length.kind else { unreachable!("{length:?}") };
+        assert_eq!((span.hard, span.soft, span.step, span.unit.as_str()), ([1.0, 60.5], [1.0, 30.0], Some(0.5), "s"));
+        let initial = |name: &str| description.parameter(name).expect(name).initial.clone();
+        assert_eq!(initial("length_s"), ParameterValue::Number(9.0));
+        assert_eq!(initial("count"), ParameterValue::Whole(-3));
+        assert_eq!(initial("mode"), ParameterValue::Text("calm".into()));
+        assert_eq!(initial("tint"), ParameterValue::Color([1.0, 0.5, 0.0]));
+        let shown = description.parameter("tint").and_then(|tint| tint.shown_if.clone());
+        assert_eq!(shown, Some(("mode".into(), ParameterValue::Text("wild".into()))));
+    }
+
+    /// `from` in the good one replaced with `to`: the fault is where the text `at` begins.
+    #[test]
+    fn faults_have_their_place_and_say_what_was_meant() {
+        for (from, to, at, words) in [
+            ("sentence:", "sentense:", "sentense:", "PLUGIN has no `sentense` (did you mean `sentence`?"),
+            (", sentence: \"For tests.\"", "", "#{\n    name: \"Test\"", "PLUGIN lacks `sentence`"),
+            ("\"For tests.\"", "\" \"", "\" \"", "sentence is empty"),
+            ("\"Test\"", "7", "7, kind: \"weather\"", "name is a whole number, where a text is expected"),
+            ("\"weather\"", "\"wether\"", "\"wether\"", "did you mean `weather`?"),
+            ("label:", "lable:", "lable:", "did you mean `label`?"),
+            ("\"integer\"", "\"intger\"", "\"intger\"", "did you mean `integer`?"),
+            ("min: 1,", "min: 99,", "60.5", "max is below min"),
+            ("soft_max: 30", "soft_max: 61", "61", "do not lie in order"),
+            ("step: 0.5", "step: 0", "0, initial: 9", "above 0"),
+            ("initial: 9", "initial: 99", "99 }", "99 is not a number from 1 to 60.5 s"),
+            ("initial: -3", "initial: 1.5", "1.5 }", "is a number, where a whole number"),
+            (
+                "#{ name: \"count\"",
+                "#{ name: \"length_s\"",
+                "\"length_s\", kind: \"integer\"",
+                "two parameters “length_s”",
+            ),
+            ("\"count\"", "\"Count 1\"", "\"Count 1\"", "is no name of a parameter"),
+            ("[\"calm\", \"wild\"]", "[]", "[] }", "nothing to choose from"),
+            ("[1, 0.5, 0]", "[1, 0.5]", "[1, 0.5],", "where a colour"),
+            ("#{ mode: \"wild\" }", "#{ mood: \"wild\" }", "mood", "did you mean `mode`?"),
+            ("#{ mode: \"wild\" }", "#{ mode: \"wlid\" }", "\"wlid\"", "the names are calm, wild"),
+            ("initial: 7", "initial: -7", "-7", "it is 0 or more"),
+            ("initial: 9", "initial: f()", "f()", "would have to be computed"),
+            ("const PLUGIN", "let PLUGIN", "// A script", "does not say what it is"),
+        ] {
+            let source = GOOD.replacen(from, to, 1);
+            assert_ne!(source, GOOD, "{from}");
+            let before = &source[..source.find(at).expect(at)];
+            let (line, column) =
+                (before.matches('\n').count() + 1, before.len() - before.rfind('\n').map_or(0, |end| end + 1) + 1);
+            let error = Plugin::read(&source).expect_err(to);
+            assert_eq!(error.fault, Fault::Description, "{error}");
+            assert!(error.to_string().contains(words), "{to}: no “{words}” in: {error}");
+            assert_eq!(error.place.map(|place| (place.line, place.column)), Some((line, column)), "{to}: {error}");
+        }
+    }
+}

@@ -299,7 +299,7 @@ impl fmt::Display for ParameterKind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let mut number = |what: &str, span: &Span| {
             write!(f, "{what}")?;
-            if span.hard != ANY {
+            if span.hard[0] > ANY[0] || span.hard[1] < ANY[1] {
                 write!(f, " from {} to {}", span.hard[0], span.hard[1])?;
             }
             if span.unit.is_empty() { Ok(()) } else { write!(f, " {}", span.unit) }

@@ -60,3 +60,26 @@ pub(crate) fn usage(name: &str) -> Option<&'static str> {
 fn answer<T>(said: Result<T, Said>) -> Answer<T> {
     said.map_err(Into::into)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cloudwright_core::scene::Scene;
+    use std::collections::BTreeSet;
+
+    /// The engine's own that are replaced, and keep their meaning.
+    const PORTABLE: &str = "sin cos tan sinh cosh tanh asin acos atan asinh acosh atanh exp ln log hypot";
+
+    #[test]
+    fn every_function_has_its_usage() {
+        let mut engine = Engine::new_raw();
+        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))));
+        let signatures = engine.gen_fn_signatures(false);
+        let name = |signature: &str| signature.split('(').next().unwrap_or_default().trim().to_owned();
+        let registered: BTreeSet<String> =
+            signatures.iter().map(|each| name(each)).filter(|name| !name.contains('$')).collect();
+        let portable = PORTABLE.split(' ').map(String::from);
+        let told = SUBJECTS.iter().flat_map(|(_, list)| *list).map(|(name, ..)| (*name).to_owned());
+        assert_eq!(registered, told.chain(portable).collect());
+    }
+}
