@@ -7,7 +7,7 @@
 use crate::bindings;
 use crate::description::Description;
 use crate::error::{Fault, Said, ScriptError};
-use crate::limits::{Ended, PRINTED_LINES, Patience, SOURCE_BYTES, STACK_BYTES, bare_engine};
+use crate::limits::{Ended, PRINTED_LETTERS, PRINTED_LINES, Patience, SOURCE_BYTES, STACK_BYTES, bare_engine};
 use crate::parameter::Values;
 use crate::recorder::Recorder;
 use cloudwright_core::document::{Change, Document, Edit, EditError};
@@ -113,7 +113,7 @@ impl Plugin {
         engine.on_print(move |line| {
             let mut lines = lines.borrow_mut();
             if lines.len() < PRINTED_LINES {
-                lines.push(line.to_owned());
+                lines.push(line.chars().take(PRINTED_LETTERS).collect());
             }
         });
         let ast = parse(&engine, &self.source)?;

@@ -1,7 +1,7 @@
 //! Rhai scripts: plugins that make clouds, looks and weather.
 //!
 //! A script says what it is by a literal ([`description`]) that is read before a line of it runs. It runs once
-//! ([`host`]) and records edits ([`recorder`]); the host hands them on as one transaction, or nothing at all. Sprites and
+//! ([`host`]) and records edits (`recorder`); the host hands them on as one transaction, or nothing at all. Sprites and
 //! pixels are never computed in it. It knows the core and nothing of the renderers, files or windows.
 
 pub mod bindings;

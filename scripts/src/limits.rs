@@ -1,7 +1,7 @@
 //! What a script may use, and how long it may take: all limits said here, none left to the engine's defaults.
 //!
 //! The engine's limits bound single values and steps, neither memory in all nor the stack. A run has a thread with a
-//! stack of its own ([`STACK_BYTES`]) that holds what these limits let through; memory in all is for a process to bound,
+//! stack of its own (`STACK_BYTES`) that holds what these limits let through; memory in all is for a process to bound,
 //! which is to come.
 
 use rhai::Engine;
@@ -21,6 +21,8 @@ pub const EDITS: usize = 50_000;
 pub const KEYS: usize = 100_000;
 /// Lines that one run may print.
 pub const PRINTED_LINES: usize = 1_000;
+/// Letters of each that are kept.
+pub const PRINTED_LETTERS: usize = 1_000;
 
 const OPERATIONS: u64 = 200_000_000;
 const CALL_LEVELS: usize = 48;

@@ -51,3 +51,17 @@ fn each_is_stopped_with_its_message() {
     assert!(wrong.is_empty(), "{wrong}");
     assert!(count >= 60, "{count}");
 }
+
+/// Lists in lists as deep as they may get, however fast the machine: walked and dropped without the stack's end.
+#[ignore = "takes a minute where nothing is optimised; run it when STACK_BYTES or LIST_ITEMS change"]
+#[test]
+fn the_deepest_lists_are_walked_and_dropped() {
+    let head = r#"const PLUGIN = #{ name: "Deep", kind: "edit", sentence: "For tests." };"#;
+    let source = format!("{head}\nfn run(p) {{ let a = []; loop {{ a = [a]; }} }}");
+    let plugin = Plugin::read(&source).expect("a plugin");
+    let until = Some(Instant::now() + Duration::from_secs(120));
+    let patience = Patience { until, ..Patience::usual() };
+    let error = plugin.run(&scene(), &plugin.values(), &patience).expect_err("too deep");
+    assert_eq!(error.fault, Fault::Limit, "{error}");
+    assert!(error.message.contains("Size of array"), "{error}");
+}
