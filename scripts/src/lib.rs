@@ -1,4 +1,21 @@
-//! Rhai scripts: plugins that place boxes and timelines that move the weather. To come.
+//! Rhai scripts: plugins that make clouds, looks and weather.
 //!
-//! A script will run once and record edits; sprites and pixels are never computed in it. It knows the core and nothing
-//! of the renderers.
+//! A script says what it is by a literal ([`description`]) that is read before a line of it runs. It runs once
+//! ([`host`]) and records edits (`recorder`); the host hands them on as one transaction, or nothing at all. Sprites and
+//! pixels are never computed in it. It knows the core and nothing of the renderers, files or windows.
+
+pub mod bindings;
+pub mod description;
+pub mod error;
+pub mod host;
+pub mod limits;
+mod literal;
+pub mod parameter;
+mod recorder;
+pub mod shipped;
+
+pub use description::{Description, PluginKind};
+pub use error::{Fault, Place, ScriptError};
+pub use host::{Outcome, Plugin};
+pub use limits::Patience;
+pub use parameter::{Parameter, ParameterKind, ParameterValue, Values};

@@ -15,8 +15,10 @@ mod input;
 mod misspelt;
 mod new;
 mod painter;
+mod plugins;
 mod progress;
 mod render;
+mod run;
 mod table;
 mod thin;
 
@@ -57,6 +59,8 @@ fn perform(arguments: &Arguments) -> Result<(), Failure> {
         Some(Subcommand::Info(arguments)) => info::run(arguments),
         Some(Subcommand::Export(arguments)) => export::run(arguments),
         Some(Subcommand::Thin(arguments)) => thin::run(arguments),
+        Some(Subcommand::Run(arguments)) => run::run(arguments),
+        Some(Subcommand::Plugins(arguments)) => plugins::run(arguments),
     }
 }
 

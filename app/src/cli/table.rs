@@ -1,6 +1,6 @@
 //! The subcommands, and what stands before them.
 
-use super::{chart, check, export, fly, info, new, render, thin};
+use super::{chart, check, export, fly, info, new, plugins, render, run, thin};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -20,6 +20,7 @@ use std::path::PathBuf;
   cloudwright fly fair_weather.cloudscene --path through -o through.mp4
   cloudwright chart fair_weather.cloudscene -o chart
   cloudwright check *.cloudscene
+  cloudwright run scatter_clouds -o sky.cloudscene
 
 Exit codes: 0 done, 1 problems found, 2 unusable input, 3 could not do it."
 )]
@@ -52,6 +53,10 @@ pub(super) enum Subcommand {
     Export(export::Arguments),
     /// Drop the sprites that a scene can do without
     Thin(thin::Arguments),
+    /// Have a plugin make clouds, a look or weather
+    Run(run::Arguments),
+    /// List the plugins, or tell what can be set of one
+    Plugins(plugins::Arguments),
 }
 
 #[cfg(test)]

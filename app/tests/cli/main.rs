@@ -15,6 +15,7 @@ mod inputs;
 mod killed;
 mod new;
 mod pictures;
+mod plugins;
 mod scenes;
 mod special_files;
 mod stopping;

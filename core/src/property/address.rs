@@ -103,6 +103,27 @@ impl Table {
 }
 
 impl Address {
+    /// The addresses of all parts of the property that `text` names; the one of a value that is called just that, if
+    /// there is one.
+    ///
+    /// # Errors
+    /// If it is the address of nothing that could be in a scene.
+    pub fn all(text: &str) -> Result<Vec<Self>, NoSuchProperty> {
+        let error = match text.parse() {
+            Ok(one) => return Ok(vec![one]),
+            Err(error) => error,
+        };
+        for (owner, rest, properties) in
+            tables().filter_map(|table| table.read(text).map(|(owner, rest)| (owner, rest, (table.properties)())))
+        {
+            if let Some(property) = properties.into_iter().find(|property| property.address_part() == rest) {
+                let parts = 0..property.parts.names().len();
+                return Ok(parts.map(|part| Self { owner, property, part }).collect());
+            }
+        }
+        Err(error)
+    }
+
     /// The row of what it names, if that is a property of `T`'s.
     pub(super) fn row<T: Described>(&self) -> Option<&'static Row<T>> {
         T::rows().find(|row| row.property.is_the_same(self.property))
@@ -151,6 +172,24 @@ impl fmt::Display for Address {
     }
 }
 
+impl FromStr for Owner {
+    type Err = NoSuchProperty;
+
+    /// As it stands before the addresses of its properties: `cloud/7`.
+    fn from_str(text: &str) -> Result<Self, NoSuchProperty> {
+        let whole = format!("{text}/");
+        let whole_of = |table: &Table| table.read(&whole).filter(|(_, rest)| rest.is_empty());
+        let found = tables().filter(|table| !table.pattern.is_empty()).find_map(whole_of);
+        found.map(|(owner, _)| owner).ok_or_else(|| {
+            let owners: Vec<_> = tables().map(|table| table.pattern).filter(|p| !p.is_empty()).collect();
+            NoSuchProperty {
+                address: text.into(),
+                hint: format!("things are {}, N their id or count", owners.join(", ")),
+            }
+        })
+    }
+}
+
 impl FromStr for Address {
     type Err = NoSuchProperty;
 
@@ -177,5 +216,27 @@ impl FromStr for Address {
             }
         };
         Err(NoSuchProperty { address: text.into(), hint })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn owners_and_whole_properties_are_found_by_their_addresses() {
+        for table in tables().filter(|table| !table.pattern.is_empty()) {
+            let text = table.pattern.replace('N', "7");
+            assert_eq!(text.parse::<Owner>().map(|owner| owner.to_string()), Ok(text.clone()));
+            for property in (table.properties)() {
+                let all = Address::all(&format!("{text}/{}", property.address_part())).expect("a property");
+                // A group's `center` is a choice, and a point if the choice is one: its parts go by their own names.
+                assert!([1, property.parts.names().len()].contains(&all.len()), "{text}");
+                let first = Address::all(&all[0].to_string()).expect("a part");
+                assert_eq!(first, all[..1], "{text}");
+            }
+        }
+        assert!("cloud".parse::<Owner>().is_err() && "cloud/7/name".parse::<Owner>().is_err());
+        assert!(Address::all("cloud/7/positio").is_err_and(|error| error.hint.contains("did you mean")));
     }
 }

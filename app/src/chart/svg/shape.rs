@@ -15,7 +15,7 @@ pub(super) fn shape(out: &mut String, family: Family, [x, y]: [f64; 2], radius: 
         Family::Truth => polygon(&[[0.0, -1.3], [1.3, 0.0], [0.0, 1.3], [-1.3, 0.0]]),
         Family::Shipped => {
             let ring = radius * 1.55;
-            disc(radius) + &format!(r#"<circle class="ring" cx="{x:.1}" cy="{y:.1}" r="{ring:.1}"/>"#)
+            disc(radius) + format!(r#"<circle class="ring" cx="{x:.1}" cy="{y:.1}" r="{ring:.1}"/>"#).as_str()
         }
         Family::Other => disc(radius),
         Family::Failing => polygon(&[[0.0, -1.25], [1.2, 0.95], [-1.2, 0.95]]),

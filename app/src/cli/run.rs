@@ -1,0 +1,112 @@
+//! `cloudwright run`: a plugin does what it does, to a scene or to an empty one.
+
+use super::failure::Failure;
+use super::plugins::{self, Found};
+use super::progress::Progress;
+use super::{counted, input, say};
+use crate::{opening, saving};
+use cloudwright_core::document::Document;
+use cloudwright_core::scene::Scene;
+use cloudwright_scripts::{Fault, ParameterKind, Patience, Plugin, ScriptError, Values};
+use std::path::{Path, PathBuf};
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  cloudwright run scatter_clouds -o sky.cloudscene --set count=40 --seed 7
+  cloudwright run diurnal_cycle sky.cloudscene -o day.cloudscene --set length_s=60 --set looped=yes
+  cloudwright run mine.rhai sky.cloudscene -o out.cloudscene
+
+A plugin is one of those that `cloudwright plugins` lists, or a file that ends in .rhai; `cloudwright plugins NAME` tells
+what can be set. Without SCENE it begins with an empty day. If anything fails, nothing is written. Ctrl-C stops it.
+Same plugin, scene and values: same scene, on every machine.")]
+pub(super) struct Arguments {
+    /// Plugin to run, by its name or as a file, NAME.rhai
+    #[arg(value_name = "PLUGIN")]
+    plugin: String,
+    /// Scene that it starts from; an empty one if not given
+    scene: Option<PathBuf>,
+    /// Scene to write
+    #[arg(short, long, value_name = "SCENE")]
+    output: PathBuf,
+    /// What a parameter is to be, as often as needed
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Another seed, for plugins that have one
+    #[arg(long, value_name = "N")]
+    seed: Option<u64>,
+    /// Replace a file that is there
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Found { from, plugin } = plugins::find(&arguments.plugin)?;
+    let values = values(arguments, &plugin)?;
+    let scene = match &arguments.scene {
+        Some(path) => opening::open(path)?.0,
+        None => Scene::default(),
+    };
+    input::check_scene_name(&arguments.output)?;
+    check_output(arguments, &scene)?;
+    let progress = Progress::start_stoppable("running the plugin");
+    let patience = Patience { cancelled: progress.watch().cancelled(), ..Patience::usual() };
+    let outcome = plugin.run(&scene, &values, &patience);
+    drop(progress);
+    let outcome = outcome.map_err(|error| failure(&from, &error))?;
+    let mut document = Document::new(scene);
+    let (edits, printed) = (outcome.edits.len(), outcome.printed.clone());
+    let done = outcome.apply(&plugin, &mut document);
+    done.map_err(|error| Failure::could_not(error.to_string(), "report this"))?;
+    input::save_scene(document.scene(), arguments.scene.as_deref(), &arguments.output, arguments.force)?;
+    printed.iter().for_each(|line| say(line));
+    say(&format!("{}: {}", plugin.description.name, counted(edits, "edit", "edits")));
+    Ok(())
+}
+
+fn values(arguments: &Arguments, plugin: &Plugin) -> Result<Values, Failure> {
+    let parameters = &plugin.description.parameters;
+    let mut values = plugin.values();
+    let refuse = |flag: &str, error: &ScriptError| Failure::argument(format!("{flag}: {}", error.message), &error.hint);
+    for set in &arguments.set {
+        let Some((name, value)) = set.split_once('=') else {
+            return Err(Failure::argument(format!("--set {set}: there is no ="), "write it as count=40"));
+        };
+        values.set(parameters, name.trim(), value).map_err(|error| refuse("--set", &error))?;
+    }
+    if let Some(seed) = arguments.seed {
+        let Some(parameter) = parameters.iter().find(|parameter| parameter.kind == ParameterKind::Seed) else {
+            let what = format!("--seed {seed}: {} has no seed", arguments.plugin);
+            return Err(Failure::argument(what, "it makes the same each time"));
+        };
+        values.set(parameters, &parameter.name, &seed.to_string()).map_err(|error| refuse("--seed", &error))?;
+    }
+    Ok(values)
+}
+
+/// Known before the work: whether the output can be written, and is none of what is read.
+fn check_output(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
+    let Arguments { scene: from, output, .. } = arguments;
+    match from {
+        Some(from) => input::check_output(scene, from, output)?,
+        None => crate::storage::check_writable(output)?,
+    }
+    saving::to_copy(scene, from.as_deref(), output).map_err(input::save_failure)?;
+    Ok(())
+}
+
+/// `from: line 3, column 7: message (hint)`.
+pub(super) fn failure(from: &str, error: &ScriptError) -> Failure {
+    let place = error.place.map(|place| format!("line {}, column {}: ", place.line, place.column)).unwrap_or_default();
+    let what = format!("{from}: {place}{}", error.message);
+    match error.fault {
+        Fault::Cancelled => Failure::stopped(),
+        Fault::Broken => Failure::could_not(what, &error.hint),
+        _ if error.hint.is_empty() => Failure::argument(what, "nothing is written; mend the script there"),
+        _ => Failure::argument(what, &error.hint),
+    }
+}
+
+/// Whether `word` is the name of a file, not of a plugin.
+pub(super) fn is_file(word: &str) -> bool {
+    Path::new(word).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("rhai"))
+}

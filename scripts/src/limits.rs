@@ -1,0 +1,96 @@
+//! What a script may use, and how long it may take: all limits said here, none left to the engine's defaults.
+//!
+//! The engine's limits bound single values and steps, neither memory in all nor the stack. A run has a thread with a
+//! stack of its own (`STACK_BYTES`) that holds what these limits let through; memory in all is for a process to bound,
+//! which is to come.
+
+use rhai::Engine;
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
+use std::time::{Duration, Instant};
+
+/// Longer scripts are refused before they are parsed.
+pub const SOURCE_BYTES: usize = 256 << 10;
+/// For lists in lists as deep as the limit on a list's items lets them be, when they are walked and dropped.
+pub(crate) const STACK_BYTES: usize = 512 << 20;
+/// Items of a list, those of lists in it included.
+pub const LIST_ITEMS: usize = 20_000;
+/// Things that one run may add or change.
+pub const EDITS: usize = 50_000;
+/// Keys that one run may set.
+pub const KEYS: usize = 100_000;
+/// Lines that one run may print.
+pub const PRINTED_LINES: usize = 1_000;
+/// Letters of each that are kept.
+pub const PRINTED_LETTERS: usize = 1_000;
+
+const OPERATIONS: u64 = 200_000_000;
+const CALL_LEVELS: usize = 48;
+/// Of expressions at the top and in functions.
+const DEPTHS: [usize; 2] = [64, 48];
+const VARIABLES: usize = 256;
+const FUNCTIONS: usize = 256;
+const TEXT_BYTES: usize = 64 << 10;
+const MAP_FIELDS: usize = 1_000;
+/// So many steps pass between two looks at the clock.
+const STEPS_A_LOOK: u64 = 256;
+
+/// How long whoever asked for a run will wait.
+#[derive(Debug, Clone)]
+pub struct Patience {
+    /// Set by whoever no longer wants the result, from any thread.
+    pub cancelled: Arc<AtomicBool>,
+    /// When it is too late.
+    pub until: Option<Instant>,
+}
+
+impl Patience {
+    /// A plugin's run from now on: long enough for what a script should do, short enough for a hand to wait.
+    pub const USUAL: Duration = Duration::from_millis(1_800);
+
+    /// The usual time, from now on.
+    pub fn usual() -> Self {
+        Self { cancelled: Arc::default(), until: Some(Instant::now() + Self::USUAL) }
+    }
+
+    /// Why to stop at step `step`, if it is one to look at.
+    pub(crate) fn ended(&self, step: u64) -> Option<Ended> {
+        if !step.is_multiple_of(STEPS_A_LOOK) {
+            return None;
+        }
+        if self.cancelled.load(Ordering::Relaxed) {
+            return Some(Ended::Cancelled);
+        }
+        self.until.is_some_and(|until| Instant::now() >= until).then_some(Ended::TooLate)
+    }
+}
+
+/// Why a run ends early.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Ended {
+    Cancelled,
+    TooLate,
+}
+
+/// An engine with nothing in it but the language, and these limits.
+pub(crate) fn bare_engine() -> Engine {
+    let mut engine = Engine::new_raw();
+    engine
+        .set_max_operations(OPERATIONS)
+        .set_max_call_levels(CALL_LEVELS)
+        .set_max_expr_depths(DEPTHS[0], DEPTHS[1])
+        .set_max_variables(VARIABLES)
+        .set_max_functions(FUNCTIONS)
+        .set_max_modules(0)
+        .set_max_string_size(TEXT_BYTES)
+        .set_max_array_size(LIST_ITEMS)
+        .set_max_map_size(MAP_FIELDS)
+        .set_strict_variables(true)
+        .set_fail_on_invalid_map_property(true)
+        .set_optimization_level(rhai::OptimizationLevel::None);
+    // `**` is the system's pow, which differs from machine to machine; the others lead out of the script, or double.
+    for symbol in ["eval", "import", "export", "**", "**=", "curry"] {
+        engine.disable_symbol(symbol);
+    }
+    engine
+}

@@ -1,0 +1,156 @@
+//! Shipped plugins and small ones of each kind: the same twice, undone cleanly, all or nothing.
+
+use crate::scene;
+use cloudwright_core::document::{Document, Edit};
+use cloudwright_core::formats::scene_file;
+use cloudwright_core::scene::Scene;
+use cloudwright_scripts::shipped::SHIPPED;
+use cloudwright_scripts::{Fault, Outcome, Patience, Plugin, ScriptError};
+use std::sync::atomic::Ordering;
+use std::time::{Duration, Instant};
+
+/// A plugin whose `run` has that body.
+fn plugin(body: &str) -> Plugin {
+    let head = r#"const PLUGIN = #{ name: "Test", kind: "edit", sentence: "For tests." };"#;
+    Plugin::read(&format!("{head}\nfn run(p) {{\n{body}\n}}")).expect("a plugin")
+}
+
+fn run(plugin: &Plugin, scene: &Scene) -> Result<Outcome, ScriptError> {
+    plugin.run(scene, &plugin.values(), &Patience::usual())
+}
+
+/// What `body` makes of the usual scene.
+fn after(body: &str) -> Scene {
+    let plugin = plugin(body);
+    let mut document = Document::new(scene());
+    run(&plugin, document.scene()).expect("it runs").apply(&plugin, &mut document).expect("it fits");
+    document.scene().clone()
+}
+
+#[test]
+fn shipped_ones_make_the_same_twice_and_are_undone_cleanly() {
+    for shipped in SHIPPED {
+        let plugin = Plugin::read(shipped.source).unwrap_or_else(|error| panic!("{}: {error}", shipped.name));
+        let mut document = Document::new(scene());
+        let before = document.scene().clone();
+        let first = run(&plugin, document.scene()).unwrap_or_else(|error| panic!("{}: {error}", shipped.name));
+        assert_eq!(Ok(&first), run(&plugin, document.scene()).as_ref(), "{}", shipped.name);
+        assert!(!first.edits.is_empty(), "{}", shipped.name);
+        first.apply(&plugin, &mut document).expect("it fits");
+        assert_eq!(document.undo_name(), Some(plugin.description.name.as_str()));
+        let bytes = scene_file::write(document.scene()).expect("a scene");
+        assert_eq!(scene_file::read(bytes.as_bytes()).as_ref(), Ok(document.scene()), "{}", shipped.name);
+        document.undo();
+        assert_eq!(*document.scene(), before, "{}", shipped.name);
+        assert!(document.undo_name().is_none(), "{}: more than one undo point", shipped.name);
+    }
+}
+
+#[test]
+fn every_value_is_what_was_chosen() {
+    let plugin = Plugin::read(SHIPPED[0].source).expect("a plugin");
+    let mut values = plugin.values();
+    values.set(&plugin.description.parameters, "length_s", "60").expect("a length");
+    values.set(&plugin.description.parameters, "looped", "yes").expect("a flag");
+    let outcome = plugin.run(&scene(), &values, &Patience::usual()).expect("it runs");
+    let mut document = Document::new(scene());
+    outcome.apply(&plugin, &mut document).expect("it fits");
+    assert_eq!(document.scene().tracks.len(), 4);
+    for track in &document.scene().tracks {
+        assert_eq!(track.keys.last().map(|key| key.time_s), Some(60.0));
+        assert_eq!(track.after, cloudwright_core::scene::Beyond::Repeat);
+    }
+    for (name, text, wanted) in [
+        ("length_s", "5", "is not a number from 10 to 86400 s"),
+        ("length_s", "NaN", "is not a number"),
+        ("lenght_s", "60", "did you mean `length_s`?"),
+        ("looped", "perhaps", "true or false"),
+    ] {
+        let error = values.set(&plugin.description.parameters, name, text).expect_err(text);
+        assert!(error.to_string().contains(wanted) && error.fault == Fault::Value, "{error}");
+    }
+}
+
+#[test]
+fn a_failure_after_half_its_edits_leaves_nothing() {
+    let plugin =
+        plugin("set(\"time_of_day_h\", 3.0);\nadd_camera(#{ name: \"half\" });\nset(\"time_of_day_h\", 99.0);");
+    let error = run(&plugin, &scene()).expect_err("out of range");
+    assert_eq!(error.place.map(|place| (place.line, place.column)), Some((5, 1)), "{error}");
+    let plugin = self::plugin("add_camera(#{ name: \"a\", field_of_view_deg: 500 });");
+    let error = run(&plugin, &scene()).expect_err("no such field of view");
+    assert_eq!(error.fault, Fault::Scene, "{error}");
+    assert!(error.to_string().contains("field_of_view_deg"), "{error}");
+}
+
+#[test]
+fn nothing_asked_for_is_no_undo_point() {
+    let plugin = plugin("set(\"time_of_day_h\", get(\"time_of_day_h\"));");
+    let mut document = Document::new(scene());
+    run(&plugin, document.scene()).expect("it runs").apply(&plugin, &mut document).expect("it fits");
+    assert!(document.undo_name().is_none());
+}
+
+#[test]
+fn scripts_see_what_they_did() {
+    let scene = after(
+        "let cloud = clouds()[0];
+         let at = `cloud/${cloud}/position`;
+         set(at, add(get(at), [100, 0, 0]));
+         set(at + \"/y\", 2500);
+         let model = add_model(#{ name: \"made\", boxes: [#{ center: [0, 1, 2] }] });
+         let one = add_box(model, #{ sprite_count: 7.0, size: [10, 20, 30] });
+         if boxes(model).len() != 2 { throw \"two boxes\" }
+         set(`model/${model}/box/${one}/width`, [5, 9]);
+         set(`model/${model}/seed`, 42);
+         let placed = add_cloud(#{ model: model, position: [1, 2, 3] });
+         remove(`cloud/${cloud}`);
+         if has(`cloud/${cloud}`) || !has(`cloud/${placed}`) { throw \"the one for the other\" }",
+    );
+    assert_eq!(scene.clouds.len(), 1);
+    let model = scene.model(scene.clouds[0].model).expect("its model");
+    assert_eq!((model.name.as_str(), model.seed, scene.clouds[0].name.as_str()), ("made", 42, "made"));
+    assert_eq!((model.boxes[1].sprite_count, model.boxes[1].width), (7, [5.0, 9.0]));
+}
+
+#[test]
+fn keys_go_into_the_track_that_is_there() {
+    let body = "key(\"sky/exposure_ev\", 2, 1.0);
+         key(\"sky/exposure_ev\", 0, 0.0, #{ leaves: \"step\" });
+         key(\"sky/exposure_ev\", 2, 0.5);
+         track(\"sky/exposure_ev\", #{ before: \"swing\" });
+         key(\"sky/directional_tuning/tint\", 1, [1, 0.9, 0.8]);";
+    let first = after(body);
+    let exposure = first.tracks.iter().find(|track| track.property == "sky/exposure_ev").expect("a track");
+    assert_eq!(exposure.keys.iter().map(|key| key.time_s).collect::<Vec<_>>(), [0.0, 2.0]);
+    let again = plugin("key(\"sky/exposure_ev\", 5, 0.0); clear_keys(\"sky/directional_tuning/tint\");");
+    let mut document = Document::new(first);
+    run(&again, document.scene()).expect("it runs").apply(&again, &mut document).expect("it fits");
+    assert_eq!(document.scene().tracks.len(), 1);
+    assert_eq!(document.scene().tracks[0].keys.len(), 3);
+}
+
+#[test]
+fn who_cancels_is_heard() {
+    let plugin = plugin("loop { }");
+    let patience = Patience { until: None, ..Patience::usual() };
+    patience.cancelled.store(true, Ordering::Relaxed);
+    let error = plugin.run(&scene(), &plugin.values(), &patience).expect_err("cancelled");
+    assert_eq!(error.fault, Fault::Cancelled, "{error}");
+}
+
+/// The issue's bound is 50 ms in a release; here it is one that a debug build on a busy machine keeps.
+#[test]
+fn two_hundred_boxes_and_two_thousand_keys_are_quick() {
+    let plugin = plugin(
+        "let list = [];
+         for place in grid(20, 10, 500) { list.push(#{ center: place }); }
+         let model = add_model(#{ boxes: list });
+         let cloud = add_cloud(#{ model: model });
+         for i in 0..2000 { key(`cloud/${cloud}/opacity`, i, 0.5 + 0.5 * sin(i * 0.1)); }",
+    );
+    let start = Instant::now();
+    let outcome = run(&plugin, &scene()).expect("it runs");
+    assert!(start.elapsed() < Duration::from_secs(1), "{:?}", start.elapsed());
+    assert!(matches!(outcome.edits.last(), Some(Edit::Track(_))), "{}", outcome.edits.len());
+}
