@@ -19,6 +19,7 @@ mod progress;
 mod render;
 mod table;
 mod thin;
+mod weather;
 
 use crate::visible;
 use clap::Parser;
@@ -57,6 +58,7 @@ fn perform(arguments: &Arguments) -> Result<(), Failure> {
         Some(Subcommand::Info(arguments)) => info::run(arguments),
         Some(Subcommand::Export(arguments)) => export::run(arguments),
         Some(Subcommand::Thin(arguments)) => thin::run(arguments),
+        Some(Subcommand::Weather(arguments)) => weather::run(arguments),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The subcommands, and what stands before them.
 
-use super::{chart, check, export, fly, info, new, render, thin};
+use super::{chart, check, export, fly, info, new, render, thin, weather};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -52,6 +52,8 @@ pub(super) enum Subcommand {
     Export(export::Arguments),
     /// Drop the sprites that a scene can do without
     Thin(thin::Arguments),
+    /// Give a scene the wind, air and hour of weather reports
+    Weather(weather::Arguments),
 }
 
 #[cfg(test)]

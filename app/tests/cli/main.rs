@@ -15,6 +15,7 @@ mod inputs;
 mod killed;
 mod new;
 mod pictures;
+mod reports;
 mod scenes;
 mod special_files;
 mod stopping;
