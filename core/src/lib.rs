@@ -33,6 +33,7 @@ pub mod problem;
 pub mod property;
 pub mod random;
 pub mod raster;
+pub mod reported;
 pub mod rules;
 pub mod scene;
 pub mod shading;

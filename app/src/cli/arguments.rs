@@ -1,12 +1,19 @@
 //! How single values of the command line are read.
 
 use cloudwright_core::method::{self, METHODS, Method};
+use cloudwright_core::reported::SPEEDS;
 use cloudwright_core::spelling::closest;
 
 /// Seconds of a scene's clock.
 pub(super) fn seconds(text: &str) -> Result<f64, String> {
     let is_sound = |seconds: &f64| (0.0..=1e6).contains(seconds);
     text.parse().ok().filter(is_sound).ok_or_else(|| "write seconds, 0 to 1000000, such as 12.5".into())
+}
+
+/// How much faster than life reports follow one another.
+pub(super) fn report_speed(text: &str) -> Result<f64, String> {
+    let is_sound = |speed: &f64| SPEEDS.contains(speed);
+    text.parse().ok().filter(is_sound).ok_or_else(|| "write a number from 1 to 86400, such as 600".into())
 }
 
 /// A share of a whole, or an error on such a scale.

@@ -21,6 +21,7 @@ mod render;
 mod run;
 mod table;
 mod thin;
+mod weather;
 
 use crate::visible;
 use clap::Parser;
@@ -61,6 +62,7 @@ fn perform(arguments: &Arguments) -> Result<(), Failure> {
         Some(Subcommand::Thin(arguments)) => thin::run(arguments),
         Some(Subcommand::Run(arguments)) => run::run(arguments),
         Some(Subcommand::Plugins(arguments)) => plugins::run(arguments),
+        Some(Subcommand::Weather(arguments)) => weather::run(arguments),
     }
 }
 

@@ -1,6 +1,6 @@
 //! The subcommands, and what stands before them.
 
-use super::{chart, check, export, fly, info, new, plugins, render, run, thin};
+use super::{chart, check, export, fly, info, new, plugins, render, run, thin, weather};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -57,6 +57,8 @@ pub(super) enum Subcommand {
     Run(run::Arguments),
     /// List the plugins, or tell what can be set of one
     Plugins(plugins::Arguments),
+    /// Give a scene the wind, air and hour of weather reports
+    Weather(weather::Arguments),
 }
 
 #[cfg(test)]

@@ -16,6 +16,7 @@ mod killed;
 mod new;
 mod pictures;
 mod plugins;
+mod reports;
 mod scenes;
 mod special_files;
 mod stopping;

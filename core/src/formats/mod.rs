@@ -1,5 +1,6 @@
 //! Bytes to values and back, one file a format. No files here: `app` reads and writes them.
 
+pub mod metar;
 pub mod model_glb;
 pub mod pretty_json;
 pub mod scene_file;

@@ -97,7 +97,7 @@ const CORE: [&[&str]; 17] = [
     &["raster"],
     &["frame"],
     &["sight"],
-    &["model_in_view", "preset"],
+    &["model_in_view", "preset", "reported"],
     &["formats"],
     &["posed_sprite", "view_history"],
     &["arrange", "rules", "shading"],

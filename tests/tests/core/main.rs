@@ -15,6 +15,7 @@ mod model_glb;
 mod parts;
 mod property;
 mod raster;
+mod reports;
 mod scene_file;
 mod shading;
 mod sprites;
