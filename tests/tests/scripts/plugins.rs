@@ -77,10 +77,21 @@ fn a_failure_after_half_its_edits_leaves_nothing() {
         plugin("set(\"time_of_day_h\", 3.0);\nadd_camera(#{ name: \"half\" });\nset(\"time_of_day_h\", 99.0);");
     let error = run(&plugin, &scene()).expect_err("out of range");
     assert_eq!(error.place.map(|place| (place.line, place.column)), Some((5, 1)), "{error}");
-    let plugin = self::plugin("add_camera(#{ name: \"a\", field_of_view_deg: 500 });");
-    let error = run(&plugin, &scene()).expect_err("no such field of view");
-    assert_eq!(error.fault, Fault::Scene, "{error}");
-    assert!(error.to_string().contains("field_of_view_deg"), "{error}");
+}
+
+#[test]
+fn what_is_added_is_within_its_ranges_or_told_at_its_line() {
+    for (made, wanted) in [
+        ("add_camera(#{ field_of_view_deg: 500 })", "camera.field_of_view_deg: 500 is out of range (use "),
+        ("add_model(#{ boxes: [#{ }, #{ size: [1, -2, 3] }] })", "model.boxes[1].size.y: -2 is out of range"),
+        ("add_model(#{ boxes: [#{ width: [9, 5] }] })", "model.boxes[0].width: the range runs backwards, from 9 to 5"),
+        ("add_box(models()[0], #{ orientation: [0, 0, 0, 2] })", "box.orientation: [0, 0, 0, 2] is no rotation"),
+        ("add_cloud(#{ model: models()[0], opacity: 2 })", "cloud.opacity: 2 is out of range"),
+    ] {
+        let error = run(&plugin(&format!("let a = 1;\n{made};")), &scene()).expect_err(made);
+        assert_eq!((error.fault, error.place.map(|place| place.line)), (Fault::Script, Some(4)), "{error}");
+        assert!(error.to_string().contains(wanted), "{error}");
+    }
 }
 
 #[test]
