@@ -23,6 +23,8 @@ pub(crate) struct Recorder {
     /// By address.
     tracks: BTreeMap<String, Draft>,
     keys: usize,
+    /// Nothing may be asked for.
+    read_only: bool,
 }
 
 /// A track in the making.
@@ -39,7 +41,19 @@ struct Draft {
 impl Recorder {
     pub(crate) fn new(scene: &Scene) -> Self {
         let draft = Document::new(scene.clone());
-        Self { draft, edits: Vec::new(), tracks: BTreeMap::new(), keys: 0 }
+        Self { draft, edits: Vec::new(), tracks: BTreeMap::new(), keys: 0, read_only: false }
+    }
+
+    /// One for scripts that only read.
+    pub(crate) fn read_only(scene: &Scene) -> Self {
+        Self { read_only: true, ..Self::new(scene) }
+    }
+
+    fn may_write(&self) -> Result<(), Said> {
+        if self.read_only {
+            return Err(Said::script("an exporter changes nothing", "what changes the scene is of another kind: edit"));
+        }
+        Ok(())
     }
 
     /// The scene with what was asked for so far, keys apart.
@@ -48,6 +62,7 @@ impl Recorder {
     }
 
     fn apply(&mut self, edit: Edit) -> Result<(), Said> {
+        self.may_write()?;
         if self.edits.len() >= EDITS {
             return Err(Said::limit(format!("the script changes more than {EDITS} things"), "make fewer of them"));
         }
@@ -140,6 +155,7 @@ impl Recorder {
     }
 
     fn draft_of(&mut self, target: &Target) -> Result<&mut Draft, Said> {
+        self.may_write()?;
         let address = target.to_string();
         if !self.tracks.contains_key(&address) {
             let first = Address { owner: target.owner, property: target.property, part: 0 };

@@ -5,6 +5,7 @@
 //! of the engine's, so that every machine makes the same edits.
 
 mod convert;
+mod export;
 mod keys;
 mod maths;
 mod noise;
@@ -14,6 +15,7 @@ mod random;
 mod scene;
 mod things;
 
+pub(crate) use export::{Exported, whole_text};
 pub(crate) use parameters::Parameters;
 
 use crate::error::Said;
@@ -35,17 +37,20 @@ pub const SUBJECTS: &[(&str, &[Usage])] = &[
     ("The scene", scene::USAGE),
     ("Things", things::USAGE),
     ("Keys", keys::USAGE),
+    ("Files", export::USAGE),
     ("Random numbers", random::USAGE),
     ("Noise", noise::USAGE),
     ("Places", places::USAGE),
     ("Numbers and vectors", maths::USAGE),
 ];
 
-pub(crate) fn register(engine: &mut Engine, recorder: &Shared) {
+/// `exported` is there for an exporter.
+pub(crate) fn register(engine: &mut Engine, recorder: &Shared, exported: Option<&Rc<Exported>>) {
     parameters::register(engine);
     scene::register(engine, recorder);
     things::register(engine, recorder);
     keys::register(engine, recorder);
+    export::register(engine, recorder, exported);
     random::register(engine);
     noise::register(engine);
     places::register(engine);
@@ -73,7 +78,7 @@ mod tests {
     #[test]
     fn every_function_has_its_usage() {
         let mut engine = Engine::new_raw();
-        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))));
+        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))), None);
         let signatures = engine.gen_fn_signatures(false);
         let name = |signature: &str| signature.split('(').next().unwrap_or_default().trim().to_owned();
         let registered: BTreeSet<String> =

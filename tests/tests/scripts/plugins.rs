@@ -5,7 +5,7 @@ use cloudwright_core::document::{Document, Edit};
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::shipped::SHIPPED;
-use cloudwright_scripts::{Fault, Outcome, Patience, Plugin, ScriptError};
+use cloudwright_scripts::{Fault, Outcome, Patience, Plugin, PluginKind, ScriptError};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
@@ -35,7 +35,11 @@ fn shipped_ones_make_the_same_twice_and_are_undone_cleanly() {
         let before = document.scene().clone();
         let first = run(&plugin, document.scene()).unwrap_or_else(|error| panic!("{}: {error}", shipped.name));
         assert_eq!(Ok(&first), run(&plugin, document.scene()).as_ref(), "{}", shipped.name);
-        assert!(!first.edits.is_empty(), "{}", shipped.name);
+        if plugin.description.kind == PluginKind::Exporter {
+            assert!(first.edits.is_empty() && first.text.is_some_and(|text| !text.is_empty()), "{}", shipped.name);
+            continue;
+        }
+        assert!(!first.edits.is_empty() && first.text.is_none(), "{}", shipped.name);
         first.apply(&plugin, &mut document).expect("it fits");
         assert_eq!(document.undo_name(), Some(plugin.description.name.as_str()));
         let bytes = scene_file::write(document.scene()).expect("a scene");
@@ -139,6 +143,26 @@ fn keys_go_into_the_track_that_is_there() {
     run(&again, document.scene()).expect("it runs").apply(&again, &mut document).expect("it fits");
     assert_eq!(document.scene().tracks.len(), 1);
     assert_eq!(document.scene().tracks[0].keys.len(), 3);
+}
+
+#[test]
+fn exporters_return_a_text() {
+    let exporter = |body: &str| {
+        let head = r#"const PLUGIN = #{ name: "Test", kind: "exporter", sentence: "For tests." };"#;
+        Plugin::read(&format!("{head}\nfn run(p) {{ {body} }}")).expect("a plugin")
+    };
+    let text = |body: &str| run(&exporter(body), &scene()).map(|outcome| outcome.text.expect("a text"));
+    assert_eq!(text("`${clouds().len()} cloud\n`"), Ok("1 cloud\n".into()));
+    let table = text("sprite_table(#{ columns: [\"index\", \"x\"] })").expect("a table");
+    let scaled = text("[\"# twice\\n\", sprite_table(#{ columns: [\"-x\"], scale: 2 })]").expect("two pieces");
+    assert!(scaled.starts_with("# twice\n"));
+    // Each is rounded to 0.00005 of its unit.
+    for (one, two) in table.lines().zip(scaled.lines().skip(1)) {
+        let (x, negative): (f64, f64) =
+            (one.split(' ').nth(1).expect("x").parse().expect("x"), two.parse().expect("-2x"));
+        assert!((2.0 * x + negative).abs() < 2e-4, "{one}, {two}");
+    }
+    assert_eq!(table.lines().count() + 1, scaled.lines().count());
 }
 
 #[test]
