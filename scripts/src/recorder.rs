@@ -154,6 +154,20 @@ impl Recorder {
         Ok(())
     }
 
+    /// The keys of a property so far, by time.
+    pub(crate) fn keys_of(&self, target: &Target) -> Result<Vec<TrackKey>, Said> {
+        let address = target.to_string();
+        if let Some(draft) = self.tracks.get(&address) {
+            return Ok(draft.keys.values().cloned().collect());
+        }
+        let first = Address { owner: target.owner, property: target.property, part: 0 };
+        if property::value(self.scene(), first).is_none() {
+            return Err(self.not_there(target.owner, &address));
+        }
+        let track = self.scene().tracks.iter().find(|track| track.property == address);
+        Ok(track.map(|track| track.keys.clone()).unwrap_or_default())
+    }
+
     fn draft_of(&mut self, target: &Target) -> Result<&mut Draft, Said> {
         self.may_write()?;
         let address = target.to_string();

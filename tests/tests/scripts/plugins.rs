@@ -146,6 +146,26 @@ fn keys_go_into_the_track_that_is_there() {
 }
 
 #[test]
+fn keys_are_read_as_they_were_set() {
+    let scene = after(
+        "let exposure = \"sky/exposure_ev\";
+         if keys(exposure).len() != 0 { throw \"none yet\" }
+         key(exposure, 2, 1);
+         key(exposure, 0, 0.5, #{ leaves: \"step\" });
+         key(\"sky/directional_tuning/tint\", 1, [1, 0.9, 0.8]);
+         let read = keys(exposure);
+         if read[0].time_s != 0.0 || read[0].leaves != \"step\" || read[1].value != 1.0 { throw `${read}` }
+         if keys(\"sky/directional_tuning/tint\")[0].value[1] != 0.9 { throw \"a vector\" }
+         for each in read { key(exposure, each.time_s + 10, each.value * 2, #{ leaves: each.leaves }); }",
+    );
+    let track = scene.tracks.iter().find(|track| track.property == "sky/exposure_ev").expect("a track");
+    let keys: Vec<_> = track.keys.iter().map(|key| (key.time_s, key.value.parts()[0])).collect();
+    assert_eq!(keys, [(0.0, 0.5), (2.0, 1.0), (10.0, 1.0), (12.0, 2.0)]);
+    let again = plugin("if keys(\"sky/exposure_ev\").len() != 4 { throw \"four\" }");
+    run(&again, &scene).expect("it reads the scene's");
+}
+
+#[test]
 fn exporters_return_a_text() {
     let exporter = |body: &str| {
         let head = r#"const PLUGIN = #{ name: "Test", kind: "exporter", sentence: "For tests." };"#;
