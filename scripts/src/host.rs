@@ -12,7 +12,7 @@ use crate::limits::{PRINTED_LETTERS, PRINTED_LINES, Patience, SOURCE_BYTES, STAC
 use crate::parameter::Values;
 use crate::recorder::Recorder;
 use cloudwright_core::document::{Change, Document, Edit, EditError};
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{Scene, Thing};
 use rhai::debugger::{DebuggerCommand, DebuggerEvent};
 use rhai::packages::{
     ArithmeticPackage, BasicArrayPackage, BasicFnPackage, BasicIteratorPackage, BasicMapPackage, BasicMathPackage,
@@ -92,10 +92,30 @@ impl Plugin {
     /// # Errors
     /// If the script fails at any point, the result would have faults, or patience ends.
     pub fn run(&self, scene: &Scene, values: &Values, patience: &Patience) -> Result<Outcome, ScriptError> {
-        in_a_thread(|| self.run_here(scene, values, patience))
+        self.run_on(scene, &[], values, patience)
     }
 
-    fn run_here(&self, scene: &Scene, values: &Values, patience: &Patience) -> Result<Outcome, ScriptError> {
+    /// As [`Plugin::run`], where `selected` are selected; what is not in the scene is left out.
+    ///
+    /// # Errors
+    /// As [`Plugin::run`].
+    pub fn run_on(
+        &self,
+        scene: &Scene,
+        selected: &[Thing],
+        values: &Values,
+        patience: &Patience,
+    ) -> Result<Outcome, ScriptError> {
+        in_a_thread(|| self.run_here(scene, selected, values, patience))
+    }
+
+    fn run_here(
+        &self,
+        scene: &Scene,
+        selected: &[Thing],
+        values: &Values,
+        patience: &Patience,
+    ) -> Result<Outcome, ScriptError> {
         let exports = self.description.kind == PluginKind::Exporter;
         let recorder = if exports { Recorder::read_only(scene) } else { Recorder::new(scene) };
         let recorder = Rc::new(RefCell::new(recorder));
@@ -103,7 +123,7 @@ impl Plugin {
         let printed = Rc::new(RefCell::new(Vec::new()));
         let mut engine = engine();
         let core = names(&engine);
-        bindings::register(&mut engine, &recorder, exported.as_ref());
+        bindings::register(&mut engine, &recorder, selected, exported.as_ref());
         let (ours, places) = (patience.clone(), exported.clone());
         engine.on_progress(move |step| {
             let unasked = places.as_ref().map_or(Duration::ZERO, |places| places.unasked());

@@ -6,7 +6,7 @@
 
 use crate::error::{Fault, Said, ScriptError};
 use crate::limits::{EDITS, KEYS};
-use cloudwright_core::arrange::{delete, keys::MOST_S};
+use cloudwright_core::arrange::{Arrangement, delete, keys::MOST_S};
 use cloudwright_core::document::{Document, Edit, EditError, ListEdit};
 use cloudwright_core::property::{self, Address, Owner, Refusal, Target, Value};
 use cloudwright_core::scene::{Beyond, HasId, IdCounter, KeyValue, List, Scene, Thing, Track, TrackId, TrackKey};
@@ -23,6 +23,8 @@ pub(crate) struct Recorder {
     /// By address.
     tracks: BTreeMap<String, Draft>,
     keys: usize,
+    /// Boxes and groups in copies of models.
+    copied: usize,
     /// Nothing may be asked for.
     read_only: bool,
 }
@@ -41,7 +43,7 @@ struct Draft {
 impl Recorder {
     pub(crate) fn new(scene: &Scene) -> Self {
         let draft = Document::new(scene.clone());
-        Self { draft, edits: Vec::new(), tracks: BTreeMap::new(), keys: 0, read_only: false }
+        Self { draft, edits: Vec::new(), tracks: BTreeMap::new(), keys: 0, copied: 0, read_only: false }
     }
 
     /// One for scripts that only read.
@@ -108,13 +110,37 @@ impl Recorder {
 
     /// Takes `thing` out with all that hangs on it.
     pub(crate) fn remove(&mut self, thing: Thing) -> Result<(), Said> {
-        if !thing.is_in(self.scene()) {
-            let owner = Owner::Thing(thing);
-            return Err(self.not_there(owner, &owner.to_string()));
-        }
+        self.need(thing)?;
         self.put_keys()?;
         let edits = delete::things(self.scene(), &[thing]).edits;
         edits.into_iter().try_for_each(|edit| self.apply(edit))
+    }
+
+    /// That `thing` is there.
+    pub(crate) fn need(&self, thing: Thing) -> Result<(), Said> {
+        if thing.is_in(self.scene()) {
+            return Ok(());
+        }
+        let owner = Owner::Thing(thing);
+        Err(self.not_there(owner, &owner.to_string()))
+    }
+
+    /// Does what `arrange` would do to the scene as it is now, and tells what that made.
+    pub(crate) fn arrange(&mut self, arrange: impl FnOnce(&Scene) -> Arrangement) -> Result<Vec<Thing>, Said> {
+        self.may_write()?;
+        self.put_keys()?;
+        let Arrangement { edits, made } = arrange(self.scene());
+        for edit in edits {
+            if let Edit::Model(ListEdit::Insert { value, .. }) = &edit {
+                self.copied += value.boxes.len() + value.groups.len();
+            }
+            if self.copied > EDITS {
+                let message = format!("the script copies models of more than {EDITS} boxes");
+                return Err(Said::limit(message, "clouds may show the same model: duplicate"));
+            }
+            self.apply(edit)?;
+        }
+        Ok(made)
     }
 
     /// `key` of a property, in the place of one at its time.

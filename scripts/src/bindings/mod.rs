@@ -4,6 +4,7 @@
 //! are refused at the door. Vectors and colours are lists of three numbers. Sines and powers are `libm`'s, in the place
 //! of the engine's, so that every machine makes the same edits.
 
+mod arrange;
 mod convert;
 mod export;
 mod keys;
@@ -20,6 +21,7 @@ pub(crate) use parameters::Parameters;
 
 use crate::error::Said;
 use crate::recorder::Recorder;
+use cloudwright_core::scene::Thing;
 use rhai::{Engine, EvalAltResult};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -36,6 +38,7 @@ pub type Usage = (&'static str, &'static str, &'static str);
 pub const SUBJECTS: &[(&str, &[Usage])] = &[
     ("The scene", scene::USAGE),
     ("Things", things::USAGE),
+    ("Many things at once", arrange::USAGE),
     ("Keys", keys::USAGE),
     ("Files", export::USAGE),
     ("Random numbers", random::USAGE),
@@ -44,11 +47,12 @@ pub const SUBJECTS: &[(&str, &[Usage])] = &[
     ("Numbers and vectors", maths::USAGE),
 ];
 
-/// `exported` is there for an exporter.
-pub(crate) fn register(engine: &mut Engine, recorder: &Shared, exported: Option<&Rc<Exported>>) {
+/// `selected` are what the script finds selected; `exported` is there for an exporter.
+pub(crate) fn register(engine: &mut Engine, recorder: &Shared, selected: &[Thing], exported: Option<&Rc<Exported>>) {
     parameters::register(engine);
     scene::register(engine, recorder);
     things::register(engine, recorder);
+    arrange::register(engine, recorder, selected);
     keys::register(engine, recorder);
     export::register(engine, recorder, exported);
     random::register(engine);
@@ -78,7 +82,7 @@ mod tests {
     #[test]
     fn every_function_has_its_usage() {
         let mut engine = Engine::new_raw();
-        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))), None);
+        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))), &[], None);
         let signatures = engine.gen_fn_signatures(false);
         let name = |signature: &str| signature.split('(').next().unwrap_or_default().trim().to_owned();
         let registered: BTreeSet<String> =

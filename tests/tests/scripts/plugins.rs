@@ -3,7 +3,7 @@
 use crate::scene;
 use cloudwright_core::document::{Document, Edit};
 use cloudwright_core::formats::scene_file;
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{CloudId, Scene, Thing};
 use cloudwright_scripts::shipped::SHIPPED;
 use cloudwright_scripts::{Fault, Outcome, Patience, Plugin, PluginKind, ScriptError};
 use std::sync::atomic::Ordering;
@@ -163,6 +163,41 @@ fn keys_are_read_as_they_were_set() {
     assert_eq!(keys, [(0.0, 0.5), (2.0, 1.0), (10.0, 1.0), (12.0, 2.0)]);
     let again = plugin("if keys(\"sky/exposure_ev\").len() != 4 { throw \"four\" }");
     run(&again, &scene).expect("it reads the scene's");
+}
+
+#[test]
+fn many_things_are_arranged_as_by_hand() {
+    let before = scene();
+    let first = before.clouds[0].clone();
+    let scene = after(
+        "let one = clouds()[0];
+         key(`cloud/${one}/opacity`, 1, 0.5);
+         let copies = duplicate([one], [500, 0, 0]);
+         let own = duplicate_own(copies, [500, 0, 0]);
+         if clouds() != [one, copies[0], own[0]] { throw `${clouds()}` }
+         if keys(`cloud/${own[0]}/opacity`).len() != 1 { throw \"tracks go along\" }
+         let model = get(`cloud/${own[0]}/model`);
+         let more = duplicate_boxes(model, [boxes(model)[0]], [0, 300, 0]);
+         if !boxes(model).contains(more[0]) { throw \"a box\" }
+         if mirror(own, \"x\") != own { throw \"mirrored\" }
+         if make_own([one]) != [one] || !selection().is_empty() { throw \"own\" }
+         mirror_boxes(model, more, \"z\");",
+    );
+    let [one, linked, own] = [0, 1, 2].map(|i| scene.clouds[i].clone());
+    assert_eq!((linked.position.x - first.position.x, own.position.x - first.position.x), (500.0, 1000.0));
+    assert_eq!(linked.model, first.model);
+    assert!(one.model != first.model && own.model != first.model && own.model != one.model);
+    assert_eq!(scene.tracks.len(), before.tracks.len() + 3);
+}
+
+#[test]
+fn what_is_selected_is_given_by_who_asks() {
+    let plugin = plugin("for each in selection() { set(each + \"/opacity\", 0.25); }");
+    let mut document = Document::new(scene());
+    let selected = [Thing::Cloud(document.scene().clouds[0].id), Thing::Cloud(CloudId(999_999))];
+    let outcome = plugin.run_on(document.scene(), &selected, &plugin.values(), &Patience::usual()).expect("it runs");
+    outcome.apply(&plugin, &mut document).expect("it fits");
+    assert!((document.scene().clouds[0].opacity - 0.25).abs() < 1e-9);
 }
 
 #[test]
