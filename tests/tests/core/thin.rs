@@ -72,7 +72,7 @@ fn hidden_sprites_go_first() {
 fn what_the_clock_hides_is_not_thrown_away() {
     let scene = heap(60);
     let want = thinned(&scene, 0.01).expect("a heap hides some of its sprites");
-    let mut hidden = scene.clone();
+    let mut hidden = scene;
     let property = format!("cloud/{}/opacity", hidden.clouds[0].id);
     let keys = vec![TrackKey::new(0.0, KeyValue::One(0.0)), TrackKey::new(9.0, KeyValue::One(1.0))];
     hidden.tracks.push(Track::new(TrackId::new(&mut hidden.next_id), property, keys));
