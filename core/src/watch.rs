@@ -18,6 +18,11 @@ pub struct Watch {
 }
 
 impl Watch {
+    /// One that whoever holds `cancelled` may end.
+    pub fn cancelled_by(cancelled: Arc<AtomicBool>) -> Self {
+        Self { cancelled, ..Self::default() }
+    }
+
     /// Has the computation stop soon. There is no way back.
     pub fn cancel(&self) {
         self.cancelled.store(true, Ordering::Relaxed);

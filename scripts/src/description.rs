@@ -60,6 +60,8 @@ kinds! {
     Look: "look";
     /// A timeline.
     Weather: "weather";
+    /// A text for a file, of a scene that stays as it is.
+    Exporter: "exporter";
 }
 
 const FIELDS: &[&str] = &["name", "kind", "sentence", "author", "version", "parameters"];

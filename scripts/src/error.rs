@@ -1,5 +1,6 @@
 //! What is wrong with a plugin, or went wrong as it ran: where, what, and what to do.
 
+use crate::limits::Ended;
 use cloudwright_core::spelling::closest;
 use rhai::{EvalAltResult, ParseError, Position};
 use std::fmt;
@@ -147,6 +148,18 @@ impl Said {
 
     pub(crate) fn limit(message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self { fault: Fault::Limit, message: message.into(), hint: hint.into() }
+    }
+}
+
+impl From<Ended> for Said {
+    fn from(ended: Ended) -> Self {
+        match ended {
+            Ended::Cancelled => Self { fault: Fault::Cancelled, message: "stopped".into(), hint: String::new() },
+            Ended::TooLate => Self::limit(
+                "the script takes too long",
+                "does a loop never end? functions that take whole lists do more at once",
+            ),
+        }
     }
 }
 

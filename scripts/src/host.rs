@@ -2,16 +2,17 @@
 //!
 //! A run has an engine of its own, in a thread of its own, whose stack is as large as the limits need. What the script
 //! asks for is tried at once in a draft of the scene, so that a fault has its line; the scene itself is only read. The
-//! edits are for one transaction under the plugin's name ([`Outcome::apply`]).
+//! edits are for one transaction under the plugin's name ([`Outcome::apply`]). An exporter's run changes nothing and
+//! returns a text, which whoever asked for it writes.
 
-use crate::bindings;
-use crate::description::Description;
+use crate::bindings::{self, Exported};
+use crate::description::{Description, PluginKind};
 use crate::error::{Fault, Said, ScriptError};
-use crate::limits::{Ended, PRINTED_LETTERS, PRINTED_LINES, Patience, SOURCE_BYTES, STACK_BYTES, bare_engine};
+use crate::limits::{PRINTED_LETTERS, PRINTED_LINES, Patience, SOURCE_BYTES, STACK_BYTES, bare_engine};
 use crate::parameter::Values;
 use crate::recorder::Recorder;
 use cloudwright_core::document::{Change, Document, Edit, EditError};
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{Scene, Thing};
 use rhai::debugger::{DebuggerCommand, DebuggerEvent};
 use rhai::packages::{
     ArithmeticPackage, BasicArrayPackage, BasicFnPackage, BasicIteratorPackage, BasicMapPackage, BasicMathPackage,
@@ -20,6 +21,7 @@ use rhai::packages::{
 use rhai::{AST, CallFnOptions, Dynamic, Engine, Position, Scope};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::time::Duration;
 
 /// The function that a run calls.
 pub const RUN: &str = "run";
@@ -39,6 +41,8 @@ pub struct Outcome {
     pub edits: Vec<Edit>,
     /// Lines that the script printed.
     pub printed: Vec<String>,
+    /// What an exporter returned, for a file.
+    pub text: Option<String>,
 }
 
 impl Outcome {
@@ -88,25 +92,42 @@ impl Plugin {
     /// # Errors
     /// If the script fails at any point, the result would have faults, or patience ends.
     pub fn run(&self, scene: &Scene, values: &Values, patience: &Patience) -> Result<Outcome, ScriptError> {
-        in_a_thread(|| self.run_here(scene, values, patience))
+        self.run_on(scene, &[], values, patience)
     }
 
-    fn run_here(&self, scene: &Scene, values: &Values, patience: &Patience) -> Result<Outcome, ScriptError> {
-        let recorder = Rc::new(RefCell::new(Recorder::new(scene)));
+    /// As [`Plugin::run`], where `selected` are selected; what is not in the scene is left out.
+    ///
+    /// # Errors
+    /// As [`Plugin::run`].
+    pub fn run_on(
+        &self,
+        scene: &Scene,
+        selected: &[Thing],
+        values: &Values,
+        patience: &Patience,
+    ) -> Result<Outcome, ScriptError> {
+        in_a_thread(|| self.run_here(scene, selected, values, patience))
+    }
+
+    fn run_here(
+        &self,
+        scene: &Scene,
+        selected: &[Thing],
+        values: &Values,
+        patience: &Patience,
+    ) -> Result<Outcome, ScriptError> {
+        let exports = self.description.kind == PluginKind::Exporter;
+        let recorder = if exports { Recorder::read_only(scene) } else { Recorder::new(scene) };
+        let recorder = Rc::new(RefCell::new(recorder));
+        let exported = exports.then(|| Rc::new(Exported::new(patience)));
         let printed = Rc::new(RefCell::new(Vec::new()));
         let mut engine = engine();
         let core = names(&engine);
-        bindings::register(&mut engine, &recorder);
-        let ours = patience.clone();
+        bindings::register(&mut engine, &recorder, selected, exported.as_ref());
+        let (ours, places) = (patience.clone(), exported.clone());
         engine.on_progress(move |step| {
-            let said = match ours.ended(step)? {
-                Ended::Cancelled => Said { fault: Fault::Cancelled, message: "stopped".into(), hint: String::new() },
-                Ended::TooLate => Said::limit(
-                    "the script takes too long",
-                    "does a loop never end? functions that take whole lists do more at once",
-                ),
-            };
-            Some(Dynamic::from(said))
+            let unasked = places.as_ref().map_or(Duration::ZERO, |places| places.unasked());
+            ours.ended(step, unasked).map(|ended| Dynamic::from(Said::from(ended)))
         });
         let reached = follow(&mut engine);
         let lines = Rc::clone(&printed);
@@ -121,15 +142,18 @@ impl Plugin {
         let parameters = bindings::Parameters::new(values);
         let done =
             engine.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &ast, RUN, (Dynamic::from(parameters),));
-        if let Err(error) = done {
+        let returned = done.map_err(|error| {
             let mut known = core;
             known.extend(names(&engine));
             known.extend(ast.iter_functions().map(|function| function.name.to_owned()));
-            return Err(ScriptError::of_run(&error, reached.get(), &known, bindings::usage));
-        }
+            ScriptError::of_run(&error, reached.get(), &known, bindings::usage)
+        })?;
+        let text = exports.then(|| bindings::whole_text(&returned)).transpose();
+        let text =
+            text.map_err(|Said { fault, message, hint }| ScriptError::new(fault, reached.get(), message, hint))?;
         let edits = recorder.borrow_mut().finish()?;
         let printed = printed.take();
-        Ok(Outcome { edits, printed })
+        Ok(Outcome { edits, printed, text })
     }
 }
 

@@ -23,6 +23,8 @@ pub const KEYS: usize = 100_000;
 pub const PRINTED_LINES: usize = 1_000;
 /// Letters of each that are kept.
 pub const PRINTED_LETTERS: usize = 1_000;
+/// Of all texts that one run makes for files.
+pub const EXPORTED_BYTES: usize = 64 << 20;
 
 const OPERATIONS: u64 = 200_000_000;
 const CALL_LEVELS: usize = 48;
@@ -53,15 +55,17 @@ impl Patience {
         Self { cancelled: Arc::default(), until: Some(Instant::now() + Self::USUAL) }
     }
 
-    /// Why to stop at step `step`, if it is one to look at.
-    pub(crate) fn ended(&self, step: u64) -> Option<Ended> {
-        if !step.is_multiple_of(STEPS_A_LOOK) {
-            return None;
-        }
+    /// Why to stop at step `step`, if it is one to look at and `unasked` was not the script's own time.
+    pub(crate) fn ended(&self, step: u64, unasked: Duration) -> Option<Ended> {
+        if step.is_multiple_of(STEPS_A_LOOK) { self.ended_now(unasked) } else { None }
+    }
+
+    /// Why to stop now.
+    pub(crate) fn ended_now(&self, unasked: Duration) -> Option<Ended> {
         if self.cancelled.load(Ordering::Relaxed) {
             return Some(Ended::Cancelled);
         }
-        self.until.is_some_and(|until| Instant::now() >= until).then_some(Ended::TooLate)
+        self.until.is_some_and(|until| Instant::now() >= until + unasked).then_some(Ended::TooLate)
     }
 }
 

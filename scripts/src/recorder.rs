@@ -6,7 +6,7 @@
 
 use crate::error::{Fault, Said, ScriptError};
 use crate::limits::{EDITS, KEYS};
-use cloudwright_core::arrange::{delete, keys::MOST_S};
+use cloudwright_core::arrange::{Arrangement, delete, keys::MOST_S};
 use cloudwright_core::document::{Document, Edit, EditError, ListEdit};
 use cloudwright_core::property::{self, Address, Owner, Refusal, Target, Value};
 use cloudwright_core::scene::{Beyond, HasId, IdCounter, KeyValue, List, Scene, Thing, Track, TrackId, TrackKey};
@@ -23,6 +23,10 @@ pub(crate) struct Recorder {
     /// By address.
     tracks: BTreeMap<String, Draft>,
     keys: usize,
+    /// Boxes and groups in copies of models.
+    copied: usize,
+    /// Nothing may be asked for.
+    read_only: bool,
 }
 
 /// A track in the making.
@@ -39,7 +43,19 @@ struct Draft {
 impl Recorder {
     pub(crate) fn new(scene: &Scene) -> Self {
         let draft = Document::new(scene.clone());
-        Self { draft, edits: Vec::new(), tracks: BTreeMap::new(), keys: 0 }
+        Self { draft, edits: Vec::new(), tracks: BTreeMap::new(), keys: 0, copied: 0, read_only: false }
+    }
+
+    /// One for scripts that only read.
+    pub(crate) fn read_only(scene: &Scene) -> Self {
+        Self { read_only: true, ..Self::new(scene) }
+    }
+
+    fn may_write(&self) -> Result<(), Said> {
+        if self.read_only {
+            return Err(Said::script("an exporter changes nothing", "what changes the scene is of another kind: edit"));
+        }
+        Ok(())
     }
 
     /// The scene with what was asked for so far, keys apart.
@@ -48,6 +64,7 @@ impl Recorder {
     }
 
     fn apply(&mut self, edit: Edit) -> Result<(), Said> {
+        self.may_write()?;
         if self.edits.len() >= EDITS {
             return Err(Said::limit(format!("the script changes more than {EDITS} things"), "make fewer of them"));
         }
@@ -93,13 +110,37 @@ impl Recorder {
 
     /// Takes `thing` out with all that hangs on it.
     pub(crate) fn remove(&mut self, thing: Thing) -> Result<(), Said> {
-        if !thing.is_in(self.scene()) {
-            let owner = Owner::Thing(thing);
-            return Err(self.not_there(owner, &owner.to_string()));
-        }
+        self.need(thing)?;
         self.put_keys()?;
         let edits = delete::things(self.scene(), &[thing]).edits;
         edits.into_iter().try_for_each(|edit| self.apply(edit))
+    }
+
+    /// That `thing` is there.
+    pub(crate) fn need(&self, thing: Thing) -> Result<(), Said> {
+        if thing.is_in(self.scene()) {
+            return Ok(());
+        }
+        let owner = Owner::Thing(thing);
+        Err(self.not_there(owner, &owner.to_string()))
+    }
+
+    /// Does what `arrange` would do to the scene as it is now, and tells what that made.
+    pub(crate) fn arrange(&mut self, arrange: impl FnOnce(&Scene) -> Arrangement) -> Result<Vec<Thing>, Said> {
+        self.may_write()?;
+        self.put_keys()?;
+        let Arrangement { edits, made } = arrange(self.scene());
+        for edit in edits {
+            if let Edit::Model(ListEdit::Insert { value, .. }) = &edit {
+                self.copied += value.boxes.len() + value.groups.len();
+            }
+            if self.copied > EDITS {
+                let message = format!("the script copies models of more than {EDITS} boxes");
+                return Err(Said::limit(message, "clouds may show the same model: duplicate"));
+            }
+            self.apply(edit)?;
+        }
+        Ok(made)
     }
 
     /// `key` of a property, in the place of one at its time.
@@ -139,7 +180,22 @@ impl Recorder {
         Ok(())
     }
 
+    /// The keys of a property so far, by time.
+    pub(crate) fn keys_of(&self, target: &Target) -> Result<Vec<TrackKey>, Said> {
+        let address = target.to_string();
+        if let Some(draft) = self.tracks.get(&address) {
+            return Ok(draft.keys.values().cloned().collect());
+        }
+        let first = Address { owner: target.owner, property: target.property, part: 0 };
+        if property::value(self.scene(), first).is_none() {
+            return Err(self.not_there(target.owner, &address));
+        }
+        let track = self.scene().tracks.iter().find(|track| track.property == address);
+        Ok(track.map(|track| track.keys.clone()).unwrap_or_default())
+    }
+
     fn draft_of(&mut self, target: &Target) -> Result<&mut Draft, Said> {
+        self.may_write()?;
         let address = target.to_string();
         if !self.tracks.contains_key(&address) {
             let first = Address { owner: target.owner, property: target.property, part: 0 };

@@ -14,6 +14,7 @@ pub const SHIPPED: &[Shipped] = &[
     Shipped { name: "diurnal_cycle", source: include_str!("../plugins/diurnal_cycle.rhai") },
     Shipped { name: "golden_hour", source: include_str!("../plugins/golden_hour.rhai") },
     Shipped { name: "scatter_clouds", source: include_str!("../plugins/scatter_clouds.rhai") },
+    Shipped { name: "sprite_table", source: include_str!("../plugins/sprite_table.rhai") },
 ];
 
 /// The one of that name.

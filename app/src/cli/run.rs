@@ -1,13 +1,15 @@
-//! `cloudwright run`: a plugin does what it does, to a scene or to an empty one.
+//! `cloudwright run`: a plugin does what it does, to a scene or to an empty one; an exporter writes a file of its own.
 
 use super::failure::Failure;
 use super::plugins::{self, Found};
 use super::progress::Progress;
 use super::{counted, input, say};
-use crate::{opening, saving};
+use crate::opening;
+use crate::saving::{self, SaveError};
+use crate::storage::{self, Over};
 use cloudwright_core::document::Document;
 use cloudwright_core::scene::Scene;
-use cloudwright_scripts::{Fault, ParameterKind, Patience, Plugin, ScriptError, Values};
+use cloudwright_scripts::{Fault, Outcome, ParameterKind, Patience, Plugin, PluginKind, ScriptError, Values};
 use std::path::{Path, PathBuf};
 
 #[derive(Debug, clap::Args)]
@@ -15,9 +17,10 @@ use std::path::{Path, PathBuf};
   cloudwright run scatter_clouds -o sky.cloudscene --set count=40 --seed 7
   cloudwright run diurnal_cycle sky.cloudscene -o day.cloudscene --set length_s=60 --set looped=yes
   cloudwright run mine.rhai sky.cloudscene -o out.cloudscene
+  cloudwright run sprite_table sky.cloudscene -o sky.xyz --set axes=z_up
 
 A plugin is one of those that `cloudwright plugins` lists, or a file that ends in .rhai; `cloudwright plugins NAME` tells
-what can be set. Without SCENE it begins with an empty day. If anything fails, nothing is written. Ctrl-C stops it.
+what can be set. Exporters write a file other than a scene. Without SCENE the others begin with an empty day. If anything fails, nothing is written. Ctrl-C stops it.
 Same plugin, scene and values: same scene, on every machine.")]
 pub(super) struct Arguments {
     /// Plugin to run, by its name or as a file, NAME.rhai
@@ -25,8 +28,8 @@ pub(super) struct Arguments {
     plugin: String,
     /// Scene that it starts from; an empty one if not given
     scene: Option<PathBuf>,
-    /// Scene to write
-    #[arg(short, long, value_name = "SCENE")]
+    /// Scene to write; of an exporter its file
+    #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// What a parameter is to be, as often as needed
     #[arg(long, value_name = "NAME=VALUE")]
@@ -42,17 +45,16 @@ pub(super) struct Arguments {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Found { from, plugin } = plugins::find(&arguments.plugin)?;
     let values = values(arguments, &plugin)?;
+    if plugin.description.kind == PluginKind::Exporter {
+        return export(arguments, &Found { from, plugin }, &values);
+    }
     let scene = match &arguments.scene {
         Some(path) => opening::open(path)?.0,
         None => Scene::default(),
     };
     input::check_scene_name(&arguments.output)?;
     check_output(arguments, &scene)?;
-    let progress = Progress::start_stoppable("running the plugin");
-    let patience = Patience { cancelled: progress.watch().cancelled(), ..Patience::usual() };
-    let outcome = plugin.run(&scene, &values, &patience);
-    drop(progress);
-    let outcome = outcome.map_err(|error| failure(&from, &error))?;
+    let outcome = outcome(&plugin, &scene, &values).map_err(|error| failure(&from, &error))?;
     let mut document = Document::new(scene);
     let (edits, printed) = (outcome.edits.len(), outcome.printed.clone());
     let done = outcome.apply(&plugin, &mut document);
@@ -60,6 +62,35 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     input::save_scene(document.scene(), arguments.scene.as_deref(), &arguments.output, arguments.force)?;
     printed.iter().for_each(|line| say(line));
     say(&format!("{}: {}", plugin.description.name, counted(edits, "edit", "edits")));
+    Ok(())
+}
+
+fn outcome(plugin: &Plugin, scene: &Scene, values: &Values) -> Result<Outcome, ScriptError> {
+    let progress = Progress::start_stoppable("running the plugin");
+    let patience = Patience { cancelled: progress.watch().cancelled(), ..Patience::usual() };
+    plugin.run(scene, values, &patience)
+}
+
+/// Writes what an exporter makes of a scene, all or nothing.
+fn export(arguments: &Arguments, Found { from, plugin }: &Found, values: &Values) -> Result<(), Failure> {
+    let Some(path) = &arguments.scene else {
+        let what = format!("{from}: there is nothing to export");
+        return Err(Failure::argument(what, format!("name a scene: cloudwright run {from} SCENE -o FILE")));
+    };
+    let output = &arguments.output;
+    if input::check_scene_name(output).is_ok() {
+        let what = format!("--output {}: an exporter writes no scene", output.display());
+        return Err(Failure::argument(what, "end its name otherwise"));
+    }
+    let scene = opening::open(path)?.0;
+    input::check_output(&scene, path, output)?;
+    let Outcome { printed, text, .. } = outcome(plugin, &scene, values).map_err(|error| failure(from, &error))?;
+    let text = text.unwrap_or_default();
+    let over = if arguments.force { Over::Anything } else { Over::Nothing };
+    storage::write_over(output, text.as_bytes(), over)
+        .map_err(|error| input::save_failure(SaveError::Storage(error)))?;
+    printed.iter().for_each(|line| say(line));
+    say(&format!("{}: {}", plugin.description.name, counted(text.lines().count(), "line", "lines")));
     Ok(())
 }
 
@@ -88,7 +119,7 @@ fn check_output(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
     let Arguments { scene: from, output, .. } = arguments;
     match from {
         Some(from) => input::check_output(scene, from, output)?,
-        None => crate::storage::check_writable(output)?,
+        None => storage::check_writable(output)?,
     }
     saving::to_copy(scene, from.as_deref(), output).map_err(input::save_failure)?;
     Ok(())

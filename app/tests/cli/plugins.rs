@@ -48,11 +48,47 @@ fn shipped_ones_make_scenes_that_check() {
 }
 
 #[test]
+fn exporters_write_a_file_of_their_own() {
+    let place = place();
+    let ran =
+        place.run("run sprite_table good.cloudscene -o a.xyz --set axes=z_up --set sizes=no --set separator=comma");
+    assert_eq!(ran.code, 0, "{}", ran.stderr);
+    let text = String::from_utf8(place.read("a.xyz")).expect("text");
+    assert_eq!(ran.stderr, format!("Sprite table: {} lines\n", text.lines().count()));
+    // The same numbers as the other exporter's, with the axes turned.
+    assert_eq!(place.run("export good.cloudscene -o b.csv").code, 0);
+    let table = String::from_utf8(place.read("b.csv")).expect("text");
+    let rows: Vec<String> = table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').collect::<Vec<_>>())
+        .map(|cells| {
+            let z = if cells[7].trim_matches(['0', '.']) == "-" { "0.0000".into() } else { format!("-{}", cells[7]) };
+            format!("{},{},{}", cells[5], z.replace("--", ""), cells[6])
+        })
+        .collect();
+    assert!(!rows.is_empty());
+    assert_eq!(text.lines().collect::<Vec<_>>(), rows);
+    place.refuses("run sprite_table good.cloudscene -o a.xyz", 2, &["a.xyz", "--force"]);
+    assert_eq!(place.run("run sprite_table good.cloudscene -o a.xyz --force --set head=yes").code, 0);
+    assert!(place.read("a.xyz").starts_with(b"x y z width height rotation_deg tile\n"));
+    place.refuses("run sprite_table -o out.cloudscene", 2, &["nothing to export", "name a scene"]);
+    place.refuses("run sprite_table good.cloudscene -o out.cloudscene", 2, &["an exporter writes no scene"]);
+    place.refuses("run sprite_table none.cloudscene -o out.xyz", 2, &["none.cloudscene"]);
+    place.refuses("run sprite_table good.cloudscene -o none/out.xyz", 3, &["none/out.xyz", "make the folder"]);
+}
+
+#[test]
 fn what_there_is_and_what_can_be_set() {
     let place = place();
     let list = place.run("plugins");
     assert_eq!(list.code, 0, "{}", list.stderr);
-    for name in ["scatter_clouds    generator", "golden_hour       look", "diurnal_cycle     weather"] {
+    for name in [
+        "scatter_clouds    generator",
+        "golden_hour       look",
+        "diurnal_cycle     weather",
+        "sprite_table      exporter",
+    ] {
         assert!(list.stdout.contains(name), "{}", list.stdout);
     }
     let page = place.run("plugins mine.rhai");

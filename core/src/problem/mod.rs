@@ -23,7 +23,8 @@ pub use too_many_sprites::MAX_SPRITES_TRIED;
 pub use tracks::MAX_KEYS;
 
 use crate::change::Change;
-use crate::scene::Scene;
+use crate::property::{Described, Owner};
+use crate::scene::{CloudBox, Scene};
 use scope::Scope;
 use std::fmt;
 
@@ -102,6 +103,22 @@ pub fn check_touched(scene: &Scene, change: &Change) -> Vec<Problem> {
 /// Whether `scene`, which had no errors before `change`, has none after it.
 pub fn stays_sound(scene: &Scene, change: &Change) -> bool {
     check_touched(scene, change).iter().all(|problem| problem.severity != Severity::Error)
+}
+
+/// What is wrong with `thing` by itself, which is not in a scene yet: numbers out of range, its parts' included. It is
+/// to be `owner`, and `place` stands for it in what is said.
+pub fn check_new<T: Described>(owner: Owner, place: &str, thing: &T) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    numbers_out_of_range::check_new(owner, place, thing, &mut problems);
+    problems
+}
+
+/// What is wrong with the turn or the ranges of `new` by itself, which is in no model yet.
+pub fn check_new_box(place: &str, new: &CloudBox) -> Vec<Problem> {
+    let mut problems = Vec::new();
+    not_a_rotation::check_box(format_args!("{place}"), new, &mut problems);
+    reversed_ranges::check_box(format_args!("{place}"), new, &mut problems);
+    problems
 }
 
 /// The first two hundred, and how many more there are: a file can hold millions of faults.

@@ -2,20 +2,26 @@
 
 use super::Problem;
 use super::scope::Scope;
+use crate::scene::CloudBox;
+use std::fmt::Arguments;
 
 pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
     for (i, model) in scope.models() {
         for (j, cloud_box) in model.boxes.iter().enumerate() {
-            let turn = cloud_box.orientation;
-            if (turn.length() - 1.0).abs() > 1e-6 || !turn.is_finite() {
-                let [x, y, z, w] = turn.to_array();
-                problems.push(Problem::error(
-                    format!("models[{i}].boxes[{j}].orientation"),
-                    format!("[{x}, {y}, {z}, {w}] is no rotation"),
-                    "a unit quaternion x, y, z, w; [0, 0, 0, 1] for none",
-                ));
-            }
+            check_box(format_args!("models[{i}].boxes[{j}]"), cloud_box, problems);
         }
+    }
+}
+
+pub(super) fn check_box(place: Arguments<'_>, cloud_box: &CloudBox, problems: &mut Vec<Problem>) {
+    let turn = cloud_box.orientation;
+    if (turn.length() - 1.0).abs() > 1e-6 || !turn.is_finite() {
+        let [x, y, z, w] = turn.to_array();
+        problems.push(Problem::error(
+            format!("{place}.orientation"),
+            format!("[{x}, {y}, {z}, {w}] is no rotation"),
+            "a unit quaternion x, y, z, w; [0, 0, 0, 1] for none",
+        ));
     }
 }
 

@@ -5,11 +5,20 @@
 
 use super::Problem;
 use super::scope::Scope;
-use crate::property::{Described, Number, Owner, Visitor, walk};
+use crate::change::Change;
+use crate::property::{Described, Number, Owner, Visitor, enter, walk};
+use crate::scene::Scene;
 use std::fmt::Arguments;
 
 pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
     walk(scope.scene, &mut Check { scope, problems });
+}
+
+/// Of `thing` by itself, and of what is in it.
+pub(super) fn check_new<T: Described>(owner: Owner, place: &str, thing: &T, problems: &mut Vec<Problem>) {
+    let (scene, change) = (Scene::default(), Change::everything());
+    let scope = Scope { scene: &scene, change: &change };
+    enter(owner, format_args!("{place}"), thing, &mut Check { scope, problems });
 }
 
 struct Check<'a> {

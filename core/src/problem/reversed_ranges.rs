@@ -2,21 +2,26 @@
 
 use super::Problem;
 use super::scope::Scope;
+use crate::scene::CloudBox;
+use std::fmt::Arguments;
 
 pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
     for (i, model) in scope.models() {
         for (j, cloud_box) in model.boxes.iter().enumerate() {
-            let ranges =
-                [("width", cloud_box.width), ("height", cloud_box.height), ("rotation_deg", cloud_box.rotation_deg)];
-            for (name, [from, to]) in ranges {
-                if from > to {
-                    problems.push(Problem::error(
-                        format!("models[{i}].boxes[{j}].{name}"),
-                        format!("the range runs backwards, from {from} to {to}"),
-                        "write the smaller number first",
-                    ));
-                }
-            }
+            check_box(format_args!("models[{i}].boxes[{j}]"), cloud_box, problems);
+        }
+    }
+}
+
+pub(super) fn check_box(place: Arguments<'_>, cloud_box: &CloudBox, problems: &mut Vec<Problem>) {
+    let ranges = [("width", cloud_box.width), ("height", cloud_box.height), ("rotation_deg", cloud_box.rotation_deg)];
+    for (name, [from, to]) in ranges {
+        if from > to {
+            problems.push(Problem::error(
+                format!("{place}.{name}"),
+                format!("the range runs backwards, from {from} to {to}"),
+                "write the smaller number first",
+            ));
         }
     }
 }

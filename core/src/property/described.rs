@@ -33,7 +33,7 @@ pub trait Visitor {
 }
 
 /// Shows `visitor` `thing` and what is in it, if it enters there.
-pub(super) fn enter<T: Described>(owner: Owner, place: Arguments<'_>, thing: &T, visitor: &mut impl Visitor) {
+pub(crate) fn enter<T: Described>(owner: Owner, place: Arguments<'_>, thing: &T, visitor: &mut impl Visitor) {
     if visitor.enters(owner) {
         visitor.thing(owner, place, thing);
         thing.enter_parts(owner, place, visitor);

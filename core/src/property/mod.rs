@@ -28,6 +28,7 @@ mod weather;
 
 pub use address::{Address, NoSuchProperty, Table, tables};
 pub use cloud_box::{SHADING as BOX_SHADING, SHAPE as BOX_SHAPE};
+pub(crate) use described::enter;
 pub use described::{Described, Visitor};
 pub use light::HasLight;
 pub use model::NAME as GROUP_NAME;

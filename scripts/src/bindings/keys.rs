@@ -4,9 +4,10 @@ use super::convert::{filled, number, text, vector};
 use super::scene::said;
 use super::{Shared, Usage, answer};
 use crate::error::{Said, did_you_mean};
+use crate::limits::LIST_ITEMS;
 use crate::recorder::Recorder;
 use cloudwright_core::property::Target;
-use cloudwright_core::scene::{Beyond, KeyValue, TrackKey};
+use cloudwright_core::scene::{Beyond, KeyValue, Leaves, TrackKey};
 use rhai::{Array, Dynamic, Engine, ImmutableString, Map};
 use std::rc::Rc;
 
@@ -20,6 +21,11 @@ pub(super) const USAGE: &[Usage] = &[
         "track",
         "track(\"sky/exposure_ev\", #{ before: \"hold\", after: \"repeat\" })",
         "What holds before its first key and after its last: hold, repeat or swing.",
+    ),
+    (
+        "keys",
+        "keys(\"sky/exposure_ev\")",
+        "The property's keys by time, as maps: time_s, value, leaves, and turns and handles where they are set.",
     ),
     ("clear_keys", "clear_keys(\"sky/exposure_ev\")", "Takes all keys of the property away."),
 ];
@@ -61,6 +67,44 @@ fn track(recorder: &mut Recorder, address: &str, fields: &Map) -> Result<(), Sai
     recorder.beyond(&target(address)?, before, after)
 }
 
+fn of_value(value: &KeyValue) -> Dynamic {
+    match value.parts() {
+        [one] => Dynamic::from_float(*one),
+        parts => Dynamic::from_array(parts.iter().copied().map(Dynamic::from_float).collect()),
+    }
+}
+
+fn of_key(key: &TrackKey) -> Map {
+    let leaves = match key.leaves {
+        Leaves::Step => "step",
+        Leaves::Linear => "linear",
+        Leaves::Smooth => "smooth",
+    };
+    let mut map = Map::from([
+        ("time_s".into(), Dynamic::from_float(key.time_s)),
+        ("value".into(), of_value(&key.value)),
+        ("leaves".into(), leaves.into()),
+    ]);
+    if let Some(turns) = key.turns {
+        map.insert("turns".into(), Dynamic::from_int(turns.into()));
+    }
+    if let Some(handles) = &key.handles {
+        let slopes = [("arrives".into(), of_value(&handles.arrives)), ("leaves".into(), of_value(&handles.leaves))];
+        map.insert("handles".into(), Dynamic::from_map(Map::from(slopes)));
+    }
+    map
+}
+
+fn keys(recorder: &Recorder, address: &str) -> Result<Array, Said> {
+    let keys = recorder.keys_of(&target(address)?)?;
+    // Of vectors, the engine counts the three numbers too.
+    let items: usize = keys.iter().map(|key| 1 + key.value.parts().len()).sum();
+    if items > LIST_ITEMS {
+        return Err(Said::limit(format!("{address} has {} keys", keys.len()), "too many for a list"));
+    }
+    Ok(keys.iter().map(|key| Dynamic::from_map(of_key(key))).collect())
+}
+
 pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     let own = Rc::clone(recorder);
     engine.register_fn("key", move |address: ImmutableString, time_s: Dynamic, value: Dynamic| {
@@ -74,6 +118,8 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     engine.register_fn("track", move |address: ImmutableString, fields: Map| {
         answer(track(&mut own.borrow_mut(), &address, &fields))
     });
+    let own = Rc::clone(recorder);
+    engine.register_fn("keys", move |address: ImmutableString| answer(keys(&own.borrow(), &address)));
     let own = Rc::clone(recorder);
     engine.register_fn("clear_keys", move |address: ImmutableString| {
         answer(target(&address).and_then(|target| own.borrow_mut().clear_keys(&target)))

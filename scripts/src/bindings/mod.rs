@@ -4,7 +4,9 @@
 //! are refused at the door. Vectors and colours are lists of three numbers. Sines and powers are `libm`'s, in the place
 //! of the engine's, so that every machine makes the same edits.
 
+mod arrange;
 mod convert;
+mod export;
 mod keys;
 mod maths;
 mod noise;
@@ -14,10 +16,12 @@ mod random;
 mod scene;
 mod things;
 
+pub(crate) use export::{Exported, whole_text};
 pub(crate) use parameters::Parameters;
 
 use crate::error::Said;
 use crate::recorder::Recorder;
+use cloudwright_core::scene::Thing;
 use rhai::{Engine, EvalAltResult};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -34,18 +38,23 @@ pub type Usage = (&'static str, &'static str, &'static str);
 pub const SUBJECTS: &[(&str, &[Usage])] = &[
     ("The scene", scene::USAGE),
     ("Things", things::USAGE),
+    ("Many things at once", arrange::USAGE),
     ("Keys", keys::USAGE),
+    ("Files", export::USAGE),
     ("Random numbers", random::USAGE),
     ("Noise", noise::USAGE),
     ("Places", places::USAGE),
     ("Numbers and vectors", maths::USAGE),
 ];
 
-pub(crate) fn register(engine: &mut Engine, recorder: &Shared) {
+/// `selected` are what the script finds selected; `exported` is there for an exporter.
+pub(crate) fn register(engine: &mut Engine, recorder: &Shared, selected: &[Thing], exported: Option<&Rc<Exported>>) {
     parameters::register(engine);
     scene::register(engine, recorder);
     things::register(engine, recorder);
+    arrange::register(engine, recorder, selected);
     keys::register(engine, recorder);
+    export::register(engine, recorder, exported);
     random::register(engine);
     noise::register(engine);
     places::register(engine);
@@ -73,7 +82,7 @@ mod tests {
     #[test]
     fn every_function_has_its_usage() {
         let mut engine = Engine::new_raw();
-        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))));
+        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))), &[], None);
         let signatures = engine.gen_fn_signatures(false);
         let name = |signature: &str| signature.split('(').next().unwrap_or_default().trim().to_owned();
         let registered: BTreeSet<String> =

@@ -6,9 +6,11 @@ use super::{Shared, Usage, answer};
 use crate::error::Said;
 use crate::recorder::Recorder;
 use cloudwright_core::document::Edit;
-use cloudwright_core::property::Owner;
+use cloudwright_core::problem::{self, Problem};
+use cloudwright_core::property::{Described, Owner};
 use cloudwright_core::scene::{
     BoxId, Camera, CameraId, Category, Cloud, CloudBox, CloudId, CloudModel, GroupId, IdCounter, ModelId, ShadingGroup,
+    Thing,
 };
 use glam::DVec3;
 use rhai::{Array, Dynamic, Engine, ImmutableString, Map};
@@ -41,8 +43,24 @@ fn map(what: &str, value: &Dynamic) -> Result<Map, Said> {
     })
 }
 
-fn new_box(what: &str, fields: &Map, counter: &mut IdCounter) -> Result<CloudBox, Said> {
-    filled(what, &CloudBox::new(BoxId::new(counter), DVec3::ZERO), fields, &[IDS])
+/// `problems` as what the script must hear, where there are any; the rest of them would mostly be the same again.
+fn none_of(problems: Vec<Problem>) -> Result<(), Said> {
+    match problems.into_iter().next() {
+        None => Ok(()),
+        Some(Problem { place, message, hint, .. }) => Err(Said::script(format!("{place}: {message}"), hint)),
+    }
+}
+
+/// `new`, if its numbers are within their ranges: told here, a fault has its line.
+fn sound<T: Described>(thing: Thing, what: &str, new: T) -> Result<T, Said> {
+    none_of(problem::check_new(Owner::Thing(thing), what, &new))?;
+    Ok(new)
+}
+
+fn new_box(what: &str, model: ModelId, fields: &Map, counter: &mut IdCounter) -> Result<CloudBox, Said> {
+    let new: CloudBox = filled(what, &CloudBox::new(BoxId::new(counter), DVec3::ZERO), fields, &[IDS])?;
+    none_of(problem::check_new_box(what, &new))?;
+    sound(Thing::Box(model, new.id), what, new)
 }
 
 fn add_model(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
@@ -56,10 +74,11 @@ fn add_model(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
     let groups = ("groups", "add them with add_group(model, #{ … }) and boxes with add_box(model, #{ group: … })");
     let make = |counter: &mut IdCounter| {
         let usual = CloudModel::new(ModelId::new(counter), "model", Category::CumulusHumilis);
-        let mut model: CloudModel = filled("model", &usual, &fields, &[IDS, groups])?;
+        let mut model: CloudModel =
+            sound(Thing::Model(usual.id), "model", filled("model", &usual, &fields, &[IDS, groups])?)?;
         for (index, each) in boxes.iter().enumerate() {
             let what = format!("model.boxes[{index}]");
-            model.boxes.push(new_box(&what, &map(&what, each)?, counter)?);
+            model.boxes.push(new_box(&what, usual.id, &map(&what, each)?, counter)?);
         }
         Ok(model)
     };
@@ -74,21 +93,23 @@ fn add_cloud(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
         return Err(Said::script(format!("cloud.model: there is no model {model}"), "models() lists them"));
     };
     let make = |counter: &mut IdCounter| {
-        filled("cloud", &Cloud::new(CloudId::new(counter), &model, DVec3::ZERO), fields, &[IDS])
+        let usual = Cloud::new(CloudId::new(counter), &model, DVec3::ZERO);
+        sound(Thing::Cloud(usual.id), "cloud", filled("cloud", &usual, fields, &[IDS])?)
     };
     recorder.add(make, Edit::Cloud)
 }
 
 fn add_camera(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
     let make = |counter: &mut IdCounter| {
-        filled("camera", &Camera::new(CameraId::new(counter), "camera", DVec3::ZERO), fields, &[IDS])
+        let usual = Camera::new(CameraId::new(counter), "camera", DVec3::ZERO);
+        sound(Thing::Camera(usual.id), "camera", filled("camera", &usual, fields, &[IDS])?)
     };
     recorder.add(make, Edit::Camera)
 }
 
 fn add_box(recorder: &mut Recorder, model: &Dynamic, fields: &Map) -> Result<u64, Said> {
     let model = ModelId(count("the model", model)?);
-    recorder.add(|counter| new_box("box", fields, counter), |edit| Edit::Box(model, edit))
+    recorder.add(|counter| new_box("box", model, fields, counter), |edit| Edit::Box(model, edit))
 }
 
 fn add_group(recorder: &mut Recorder, model: &Dynamic, fields: &Map) -> Result<u64, Said> {
@@ -96,7 +117,8 @@ fn add_group(recorder: &mut Recorder, model: &Dynamic, fields: &Map) -> Result<u
     let make = |counter: &mut IdCounter| {
         let id = GroupId::new(counter);
         let usual = serde_json::from_value::<ShadingGroup>(serde_json::json!({ "id": id, "name": "group" }));
-        filled("group", &usual.map_err(|error| Said::script(error.to_string(), ""))?, fields, &[IDS])
+        let usual = usual.map_err(|error| Said::script(error.to_string(), ""))?;
+        sound(Thing::Group(model, id), "group", filled("group", &usual, fields, &[IDS])?)
     };
     recorder.add(make, |edit| Edit::Group(model, edit))
 }
