@@ -15,9 +15,14 @@ const DAY_S: f64 = 60.0;
 /// The side of the sky in which clouds stay.
 const FIELD_M: f64 = 17_000.0;
 
+/// Hours and the seconds at which they are: the night, in which there is little to see, goes by quickly.
+const HOURS: [(f64, f64); 4] = [(0.0, DAWN_H), (50.0, 22.0), (55.0, 28.0), (DAY_S, DAWN_H + 24.0)];
+
 /// Seconds of the clock at which an hour is.
 fn at(hour: f64) -> f64 {
-    (hour - DAWN_H) * DAY_S / 24.0
+    let after = HOURS.iter().position(|(_, each)| *each >= hour).unwrap_or(HOURS.len() - 1).max(1);
+    let [(from_s, from), (to_s, to)] = [HOURS[after - 1], HOURS[after]];
+    from_s + (to_s - from_s) * (hour - from) / (to - from)
 }
 
 pub(super) fn scene() -> Scene {
@@ -82,8 +87,7 @@ fn by_hour((hour, value): (f64, f64)) -> (f64, f64) {
 fn sky(sketch: &mut Sketch) {
     sketch.scene.time_of_day_h = DAWN_H;
     sketch.scene.sky.turbidity = 2.4;
-    let hours = [(0.0, DAWN_H), (DAY_S, DAWN_H + 24.0)];
-    sketch.key("time_of_day_h", Leaves::Linear, Beyond::Repeat, &hours);
+    sketch.key("time_of_day_h", Leaves::Linear, Beyond::Repeat, &HOURS);
     // Mist at dawn, and haze again towards the evening.
     let haze =
         [(6.0, 13_000.0), (10.0, 30_000.0), (15.0, 42_000.0), (20.5, 26_000.0), (28.0, 15_000.0), (30.0, 13_000.0)];
