@@ -1,6 +1,6 @@
 //! The air at a moment: what it does to the sprites of every cloud alike.
 
-use super::Wind;
+use super::Lean;
 use crate::scene::Weather;
 use crate::sprites::Stir;
 use glam::Vec3;
@@ -19,7 +19,7 @@ pub struct AirNow {
     pub lean: Vec3,
     /// How much more so at its top than at its bottom.
     pub lean_shear: Vec3,
-    /// How far the loosest sprites have turned, whole turns, less whole ones.
+    /// How far the loosest sprites have turned, whole turns.
     pub turned: f32,
     /// How much the air churns, 0 to 1.
     pub turbulence: f32,
@@ -30,15 +30,15 @@ pub struct AirNow {
 }
 
 impl AirNow {
-    /// At `clock_s` of the scene's clock, where the weather is as `now` and the `wind` has been blowing; none if the air does
-    /// nothing to sprites.
-    pub fn new(now: &Weather, wind: Option<&Wind>, clock_s: f64) -> Option<Self> {
-        if wind.is_none() && now.turbulence == 0.0 && now.humidity == 1.0 {
+    /// At `clock_s` of the scene's clock, where the weather is as `now`; none if the air does nothing to sprites. `blown`: how
+    /// far edges lean, and how many metres of wind have gone by, if there ever is any.
+    pub fn new(now: &Weather, blown: Option<(Lean, f64)>, clock_s: f64) -> Option<Self> {
+        if blown.is_none() && now.turbulence == 0.0 && now.humidity == 1.0 {
             return None;
         }
-        let lean = wind.map(|wind| wind.lean(clock_s)).unwrap_or_default();
+        let (lean, blown_m) = blown.unwrap_or_default();
         let across = |lean: glam::DVec2| Vec3::new(lean.x as f32, 0.0, lean.y as f32);
-        let blown_km = wind.map_or(0.0, |wind| wind.blown_m(clock_s)) / 1000.0;
+        let blown_km = blown_m / 1000.0;
         let (turned, humidity) = (blown_km * now.turn_deg_per_km / 360.0, now.humidity as f32);
         Some(Self {
             lean: across(lean.middle) * now.lean as f32,

@@ -39,11 +39,12 @@ pub fn clouds_now<'a>(
     let rest = timeline.weather();
     let wind = timeline.wind();
     let spread_c = |weather: &Weather| weather.temperature_c - weather.dew_point_c;
+    let blown = wind.map(|wind| (rules.streaming.lean(wind, clock_s, rest.lag_s), wind.blown_m(clock_s)));
     let course = Course {
         timeline,
         clock_s,
         forming: rules.forming,
-        air: rules.streaming.air(&weather, wind, clock_s),
+        air: AirNow::new(&weather, blown, clock_s),
         way_m: wind.map_or(DVec2::ZERO, |wind| wind.way_m(clock_s)),
         lift_m: LIFT_M_PER_C * (spread_c(&weather) - spread_c(rest)),
         growth: weather.growth,
@@ -56,20 +57,23 @@ pub fn clouds_now<'a>(
         });
     }
     let mut now: Vec<CloudNow<'_>> = clouds.iter().map(|placed| course.cloud(placed)).collect();
-    course.keyed_clouds(&mut now);
     course.keyed_looks(&mut now);
     now
 }
 
 impl<'a> Course<'_> {
-    /// A cloud without a track.
+    /// A cloud as its tracks have it, or as it was placed.
     fn cloud(&self, placed: &'a PlacedCloud) -> CloudNow<'a> {
-        let way_m = self.way_m * placed.cloud.wind_share;
-        self.as_keyed(placed, &placed.cloud, way_m)
+        let rest = &placed.cloud;
+        let of_share = (rest.wind_share > 0.0).then(|| self.way_m * rest.wind_share);
+        match self.timeline.cloud_at(rest, self.clock_s) {
+            Some(now) => self.as_keyed(placed, &now, self.timeline.way_m(placed.id, self.clock_s).or(of_share)),
+            None => self.as_keyed(placed, rest, of_share),
+        }
     }
 
-    /// A cloud that is `now` what its tracks make of it.
-    fn as_keyed(&self, placed: &'a PlacedCloud, now: &Cloud, way_m: DVec2) -> CloudNow<'a> {
+    /// A cloud that is `now` what its tracks make of it. `way_m`: how far the wind has carried it; none if it never does.
+    fn as_keyed(&self, placed: &'a PlacedCloud, now: &Cloud, way_m: Option<DVec2>) -> CloudNow<'a> {
         let rest = &placed.cloud;
         let mut cloud = CloudNow::at_rest(placed);
         cloud.formed = match now.formed {
@@ -82,13 +86,12 @@ impl<'a> Course<'_> {
             self.replace(&mut cloud, now);
         }
         cloud.displacement.y += self.lift_m * now.base_share;
-        if way_m != DVec2::ZERO {
+        if let Some(way_m) = way_m {
             cloud.displacement += DVec3::new(way_m.x, 0.0, way_m.y);
-        }
-        if let Some(region) = &self.region
-            && now.wind_share > 0.0
-        {
-            cloud.formed = cloud.formed.and(wrap(region, &mut cloud));
+            // Who lets go of the wind stays in the region.
+            if let Some(region) = &self.region {
+                cloud.formed = cloud.formed.and(wrap(region, &mut cloud));
+            }
         }
         cloud.air =
             self.air.map(|air| InAir { air, stirs: placed.stirs(), reach_m: REACH * placed.radius * cloud.scale });
@@ -106,19 +109,6 @@ impl<'a> Course<'_> {
         let (half_sin, half_cos) = (turn.y, turn.w);
         cloud.turn = Turn::by((2.0 * half_sin * half_cos) as f32, (half_cos * half_cos - half_sin * half_sin) as f32);
         cloud.scale = scale as f32;
-    }
-
-    fn keyed_clouds(&self, clouds: &mut [CloudNow<'a>]) {
-        if !self.timeline.moves_clouds() {
-            return;
-        }
-        for cloud in clouds {
-            if let Some(now) = self.timeline.cloud_at(&cloud.placed.cloud, self.clock_s) {
-                let shared = self.timeline.way_m(cloud.placed.id, self.clock_s);
-                let way_m = shared.unwrap_or(self.way_m * now.wind_share);
-                *cloud = self.as_keyed(cloud.placed, &now, way_m);
-            }
-        }
     }
 
     /// Colours and light of models that have tracks of them.

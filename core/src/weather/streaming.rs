@@ -1,8 +1,6 @@
 //! By which rules the clock moves clouds: how they form, and how loose edges follow the wind.
 
-use super::{AirNow, FormingRule, Lean, Wind};
-use crate::scene::Weather;
-use glam::DVec2;
+use super::{FormingRule, Lean, Wind};
 
 /// By which rules the clock moves clouds; by default in closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -41,14 +39,12 @@ impl PartialEq for SteppedStreaming {
 }
 
 impl StreamingRule {
-    /// As [`AirNow::new`].
-    pub fn air(self, now: &Weather, wind: Option<&Wind>, clock_s: f64) -> Option<AirNow> {
-        let air = AirNow::new(now, wind, clock_s);
-        let (Self::Stepped(stepped), Some(wind), Some(air)) = (self, wind, air) else { return air };
-        let Lean { middle, shear } = (stepped.lean)(wind, clock_s, stepped.frame_s, now.lag_s);
-        let across = |lean: DVec2| glam::Vec3::new(lean.x as f32, 0.0, lean.y as f32);
-        let share = now.lean as f32;
-        Some(AirNow { lean: across(middle) * share, lean_shear: across(shear) * share, ..air })
+    /// How far edges lean at `clock_s` of the scene's clock, where they follow the wind with that lag, seconds.
+    pub fn lean(self, wind: &Wind, clock_s: f64, lag_s: f64) -> Lean {
+        match self {
+            Self::ClosedForm => wind.lean(clock_s),
+            Self::Stepped(SteppedStreaming { frame_s, lean, .. }) => lean(wind, clock_s, frame_s, lag_s),
+        }
     }
 
     /// What it is, for charts.

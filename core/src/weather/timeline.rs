@@ -120,11 +120,6 @@ impl Timeline {
         now
     }
 
-    /// Whether any cloud has a track.
-    pub fn moves_clouds(&self) -> bool {
-        !self.of_clouds.is_empty()
-    }
-
     /// What `cloud` is at `clock_s`; none if it has no track.
     pub fn cloud_at(&self, cloud: &Cloud, clock_s: f64) -> Option<Cloud> {
         let moves = &self.moves[self.of_clouds.get(&cloud.id)?.clone()];

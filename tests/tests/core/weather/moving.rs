@@ -154,13 +154,22 @@ fn light_is_taken_at_rest() {
     }
 }
 
-/// A cloud that the wind carries out of its region comes in on the other side, and nothing of it shows meanwhile.
+/// A cloud that the wind carries out of its region comes in on the other side, and nothing of it shows meanwhile; one that
+/// lets go of the wind stays where it has come to, and is not put back.
 #[test]
 fn nothing_is_seen_to_wrap_round() {
     let mut scene = heap(20);
     let region = Region { width_m: 4000.0, depth_m: 3000.0, border_m: 600.0, ..Region::default() };
     scene.weather = Weather { wind_from_deg: 300.0, wind_speed_mps: 20.0, region: Some(region), ..Weather::default() };
-    let derived = Derived::new(&scene);
+    wraps_unseen(&scene);
+    let property = format!("cloud/{}/wind_share", scene.clouds[0].id);
+    let keys = [(0.0, 1.0), (180.0, 1.0), (200.0, 0.0)].map(|(at, share)| TrackKey::new(at, KeyValue::One(share)));
+    scene.tracks.push(Track::new(TrackId::new(&mut scene.next_id), property, keys.into()));
+    wraps_unseen(&scene);
+}
+
+fn wraps_unseen(scene: &Scene) {
+    let derived = Derived::new(scene);
     let at = |clock_s| {
         let now = &derived.clouds_at(clock_s, WeatherRules::default())[0];
         let middle = now.origin() + now.center_now().as_dvec3();
@@ -179,7 +188,7 @@ fn nothing_is_seen_to_wrap_round() {
         whole += usize::from(now.1 == 1.0 && now.2);
         before = now;
     }
-    assert!(jumps >= 2 && whole > 1000, "{jumps} jumps, {whole} times whole");
+    assert!(jumps >= 2 && whole > 500, "{jumps} jumps, {whole} times whole");
 }
 
 /// As humidity rises, each sprite condenses and none goes; at 0 there is nothing, at 1 everything.
