@@ -1,8 +1,9 @@
 //! The program: an editor window and a command line over one library of clouds.
 //!
 //! The only place with a window, files and a clock. [`cli`] is one file a subcommand; [`editor`] is the window's frame
-//! in order, above its panels and viewport, which share what is in [`state`]; [`storage`] is the only file access, [`opening`] and [`saving`] what both make of a
-//! scene file; [`chart`] turns measured methods into a page to read; `renderer` chooses between GPU and CPU.
+//! in order, above its panels and viewport, which share what is in [`state`]; [`storage`] is the only file access,
+//! [`opening`] and [`saving`] what both make of a scene file; [`scripting`] has plugins do what they do; [`chart`] turns
+//! measured methods into a page to read; `renderer` chooses between GPU and CPU.
 
 pub mod chart;
 pub mod cli;
@@ -13,6 +14,7 @@ mod panel;
 mod picture_png;
 pub mod renderer;
 pub mod saving;
+pub mod scripting;
 mod signals;
 pub mod state;
 pub mod storage;

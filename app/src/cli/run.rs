@@ -6,6 +6,7 @@ use super::progress::Progress;
 use super::{counted, input, say};
 use crate::opening;
 use crate::saving::{self, SaveError};
+use crate::scripting::{self, Request};
 use crate::storage::{self, Over};
 use cloudwright_core::document::Document;
 use cloudwright_core::scene::Scene;
@@ -68,7 +69,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 fn outcome(plugin: &Plugin, scene: &Scene, values: &Values) -> Result<Outcome, ScriptError> {
     let progress = Progress::start_stoppable("running the plugin");
     let patience = Patience { cancelled: progress.watch().cancelled(), ..Patience::usual() };
-    plugin.run(scene, values, &patience)
+    scripting::run(Request { plugin, scene, selected: &[], values }, &patience)
 }
 
 /// Writes what an exporter makes of a scene, all or nothing.

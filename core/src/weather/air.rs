@@ -55,6 +55,9 @@ impl AirNow {
     /// edges; `side_m`, its smaller one.
     pub fn carries(&self, stir: &Stir, height: f32, reach_m: f32, side_m: f32) -> Vec3 {
         let lean = (self.lean + self.lean_shear * (height - 0.5)) * (stir.looseness * reach_m);
+        if self.turbulence == 0.0 {
+            return lean;
+        }
         let [x, y, z] = [0, 1, 2].map(|i| sine(self.swings[i] + stir.phases[i]));
         lean + Vec3::new(x, y, z) * (self.turbulence * stir.sway * SWAY * side_m)
     }
