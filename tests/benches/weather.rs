@@ -154,7 +154,7 @@ fn frames() {
     let windy = Weather { wind_speed_mps: 9.0, ..Weather::default() };
     for (name, still, weather, runs, limit) in [
         ("overcast", overcast(), Weather { humidity: 0.97, turbulence: 0.5, ..windy }, 41, 1.15),
-        ("4000 clouds", crowd(4000), windy, 15, 1.1),
+        ("4000 clouds", crowd(4000), windy, 41, 1.1),
     ] {
         let at_rest = Derived::new(&still);
         let (scene, derived) = in_weather(&still, weather);
