@@ -13,6 +13,7 @@ pub mod opening;
 mod panel;
 mod picture_png;
 pub mod renderer;
+pub mod reports;
 pub mod saving;
 pub mod scripting;
 mod signals;

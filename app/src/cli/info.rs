@@ -6,6 +6,7 @@ use crate::opening;
 use crate::visible::{self, one_line};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::flight::PathCurve;
+use cloudwright_core::measure::{Observer, sky_cover};
 use cloudwright_core::scene::{Beyond, CameraPath, CloudId, ModelId, PathId, Scene, Track};
 use cloudwright_core::sprites::PlacedCloud;
 use glam::DVec3;
@@ -19,7 +20,8 @@ use std::path::PathBuf;
   cloudwright info fair_weather.cloudscene
   cloudwright info --json fair_weather.cloudscene
 
-Of tracks: what they move, their keys, the seconds of the first and the last, and what they do before and after.")]
+Cover is measured, not counted: eighths of the sky in which clouds are seen, from the ground under their middle at second
+0, above 10 degrees. Of tracks: what they move, their keys, the seconds of the first and the last, and what they do before and after.")]
 pub(super) struct Arguments {
     /// Scene to count
     scene: PathBuf,
@@ -37,6 +39,8 @@ struct SceneCounts {
     paths: Vec<PathCounts>,
     tracks: Vec<TrackCounts>,
     total: Total,
+    /// Eighths of the sky that clouds cover at second 0, seen from the ground under their middle, above 10°.
+    coverage_oktas: f64,
     clouds: Vec<CloudCounts>,
 }
 
@@ -111,7 +115,9 @@ impl Bounds {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let scene = opening::open_scene(&arguments.scene)?;
-    let counts = count(&scene, Derived::new(&scene).clouds());
+    let derived = Derived::new(&scene);
+    let covered = sky_cover(&scene, &derived, &Observer::default(), |_| true).covered;
+    let counts = SceneCounts { coverage_oktas: (800.0 * covered).round() / 100.0, ..count(&scene, derived.clouds()) };
     answer(&if arguments.json { json_text(&counts)? } else { as_text(&counts) })
 }
 
@@ -141,6 +147,7 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> SceneCounts {
         cameras: scene.cameras.iter().map(|camera| camera.name.clone()).collect(),
         paths: paths(scene),
         tracks: scene.tracks.iter().map(count_track).collect(),
+        coverage_oktas: 0.0,
         total: Total {
             clouds: clouds.len(),
             boxes: clouds.iter().map(|cloud| cloud.boxes).sum(),
@@ -182,10 +189,15 @@ const fn beyond_in_words(beyond: Beyond) -> &'static str {
 }
 
 fn as_text(counts: &SceneCounts) -> String {
-    let SceneCounts { name, models, boxes, cameras, paths, tracks, total, clouds } = counts;
+    let SceneCounts { name, models, boxes, cameras, paths, tracks, total, coverage_oktas, clouds } = counts;
     let [models, boxes] = [counted(*models, "model", "models"), counted(*boxes, "box", "boxes")];
     let mut out = one_line(&format!("{name}: {models}, {boxes}, {}", counted(total.clouds, "cloud", "clouds")));
-    let _ = write!(out, "\ncameras: {}\n\n", one_line(&cameras.join(", ")));
+    let _ = writeln!(out, "\ncameras: {}", one_line(&cameras.join(", ")));
+    let above = Observer::LEAST_ELEVATION_DEG;
+    let _ = writeln!(
+        out,
+        "cover: {coverage_oktas:.1} oktas of the sky above {above}°, from the ground under their middle\n"
+    );
     if !paths.is_empty() {
         let _ = writeln!(out, "{:<24} {:>10} {:>6}  aircraft", "path", "seconds", "keys");
         for PathCounts { name, duration_s, keys, aircraft } in paths {

@@ -1,17 +1,22 @@
-//! `cloudwright weather`: a scene with the air of real reports.
+//! `cloudwright weather`: a scene with the sky of real reports.
 
 use super::arguments::report_speed;
 use super::failure::{Failure, UNUSABLE_INPUT};
+use super::progress::Progress;
+use super::run::failure as plugin_failure;
 use super::{answer, counted, input, say};
+use crate::reports::{self, Line, MadeLayer, MakeError, Making, make, reading};
 use crate::state::starter_scene;
 use crate::storage::FileId;
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
-use cloudwright_core::formats::metar::{self, RefusedGroup, Report};
-use cloudwright_core::reported::{self, Air, ApplyError, PlannedLayer};
+use cloudwright_core::formats::metar::{RefusedGroup, Report};
+use cloudwright_core::reported::{Place, Sky};
 use cloudwright_core::scene::Scene;
+use cloudwright_scripts::Patience;
 use serde::Serialize;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -19,32 +24,45 @@ use std::path::PathBuf;
     after_help = "Examples:
   cloudwright weather --metar \"EDDF 171320Z 24012KT 9999 SCT035 18/09 Q1015\" -o sky.cloudscene
   cloudwright weather --file eddf.txt sky.cloudscene -o day.cloudscene --speed 1440
+  cloudwright weather --file three.json -o between.cloudscene --place EDDF=50.03,8.57
   cloudwright weather --metar \"EDDF 171320Z 24012KT 9999 SCT035 18/09 Q1015\" --json
 
-From a report come wind, temperature, dew point, haze (by the visibility) and the hour at the scene's offset from UTC;
-tracks that these had go. The date stays: reports tell the day of the month alone. Clouds are planned, and are to be placed
-by hand for now: the plan is told, with the kind, base, thickness and oktas of each layer.
-Several reports of one station become tracks with smooth keys at their times, so that the sky steps at none. In a file
-each report is a line; empty lines and those that begin with # are passed over. METAR and SPECI are read, TAF is not."
+From a report come wind, temperature, dew point, haze (by the visibility), the hour at the scene's offset from UTC, and
+clouds: each layer by a plugin that ships, as many as cover the sky as the report says, measured from below. They take the
+place of the clouds that are there.
+Several reports become tracks with smooth keys at their times, so that the sky steps at none; clouds form and dissipate
+between them. A TAF becomes the hours ahead; what comes and goes within the hour or perhaps (TEMPO, PROB) is left out.
+Reports of several stations weigh by their distance from the scene's place, for which each needs its own: by --place, or
+out of the file. In a file each report is a line, and what is indented goes on with it; empty lines and those that begin
+with # are passed over. Or it is JSON with rawOb or rawTAF, lat and lon, as aviationweather.gov answers."
 )]
 pub(super) struct Arguments {
     /// Scene that takes the weather; the editor's new scene if not given
     scene: Option<PathBuf>,
-    /// The report, quoted
+    /// The report or forecast, quoted
     #[arg(long, value_name = "REPORT", group = "reports")]
     metar: Option<String>,
-    /// File of reports, a line each
+    /// File of reports, a line each, or a weather service's JSON
     #[arg(long, value_name = "REPORTS", group = "reports")]
     file: Option<PathBuf>,
     /// Scene to write
     #[arg(short, long, value_name = "SCENE", required_unless_present = "json")]
     output: Option<PathBuf>,
-    /// Answer with each report and the plan of its sky as JSON; lengths in metres
+    /// Answer with each report, and the layers of its sky with what they were to cover and do, as JSON; lengths in metres
     #[arg(long)]
     json: bool,
     /// How much faster than life the reports' time passes in the scene's clock, 1 to 86400
     #[arg(long, value_name = "TIMES", default_value_t = 600.0, value_parser = report_speed)]
     speed: f64,
+    /// Where a station is, degrees north and east, as often as needed
+    #[arg(long, value_name = "STATION=LATITUDE,LONGITUDE", value_parser = place_of_station)]
+    place: Vec<(String, Place)>,
+    /// Keep the clouds that are there
+    #[arg(long)]
+    keep_clouds: bool,
+    /// Another sky of the same reports
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
     /// Replace a file that is there
     #[arg(long)]
     force: bool,
@@ -52,28 +70,34 @@ pub(super) struct Arguments {
 
 /// Of a file of reports, and more than a year of them.
 const MOST_BYTES: usize = 4 << 20;
-
-/// A line with its report, or why it is none.
-struct Line {
-    number: usize,
-    read: Result<Report, RefusedGroup>,
-}
+/// A sky of many layers takes that long; Ctrl-C ends it before.
+const PATIENCE: Duration = Duration::from_secs(60);
 
 #[derive(Serialize)]
 struct Answer<'a> {
+    reports: Vec<AnswerLine<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    skies: Option<Vec<AnswerSky<'a>>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    layers: Option<&'a [MadeLayer]>,
+}
+
+/// A report; of a forecast its states, one after the other.
+#[derive(Serialize)]
+struct AnswerLine<'a> {
     line: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
-    report: Option<&'a Report>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    plan: Option<Plan>,
+    reports: Option<&'a [Report]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     refused: Option<&'a RefusedGroup>,
 }
 
 #[derive(Serialize)]
-struct Plan {
-    layers: Vec<PlannedLayer>,
-    air: Air,
+struct AnswerSky<'a> {
+    /// Of the scene's clock.
+    time_s: f64,
+    #[serde(flatten)]
+    sky: &'a Sky,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
@@ -83,41 +107,69 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         None => starter_scene(),
     };
     if let Some(output) = &arguments.output {
-        input::check_scene_name(output)?;
-        if let Some(path) = &arguments.scene {
-            input::check_output(&scene, path, output)?;
-        }
-        if arguments.file.as_deref().and_then(FileId::of).is_some_and(|file| FileId::of(output) == Some(file)) {
-            let what = format!("--output {}: those are the reports", output.display());
-            return Err(Failure::argument(what, "choose another name; they would be lost"));
-        }
-        saving::to_copy(&scene, arguments.scene.as_deref(), output).map_err(input::save_failure)?;
+        check_output(arguments, &scene, output)?;
     }
-    let refused = lines.iter().find_map(|line| Some((line.number, line.read.as_ref().err()?)));
+    let told = match reading::told(&lines) {
+        Ok(told) => told,
+        Err((number, refused)) => {
+            if arguments.json {
+                tell_json(&lines, None)?;
+                return Err(Failure::Told(UNUSABLE_INPUT));
+            }
+            let what = format!("{}: {refused}", place(arguments, number));
+            return Err(Failure::argument(what, "correct it or leave it out; nothing is written"));
+        }
+    };
+    let several = told.iter().any(|each| each.report.station != told[0].report.station);
+    let making = Making {
+        speed: arguments.speed,
+        seed: arguments.seed,
+        keeps_clouds: arguments.keep_clouds,
+        moves_site: arguments.scene.is_none() || !several,
+        date: lines.iter().find_map(|line| line.date),
+    };
+    let mut document = Document::new(scene);
+    let progress = Progress::start_stoppable("making the sky");
+    let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + PATIENCE) };
+    let made = make(&mut document, &told, &making, &patience).map_err(|error| failure(arguments, error));
+    drop(progress);
+    let made = made?;
     if arguments.json {
-        tell_json(&lines, &scene)?;
-        if refused.is_some() {
-            return Err(Failure::Told(UNUSABLE_INPUT));
-        }
-    }
-    if let Some((number, refused)) = refused {
-        let what = format!("{}: {refused}", place(arguments, number));
-        return Err(Failure::argument(what, "correct it or leave it out; nothing is written"));
+        tell_json(&lines, Some(&made))?;
     }
     let Some(output) = &arguments.output else { return Ok(()) };
-    let reports: Vec<Report> = lines.into_iter().filter_map(|line| line.read.ok()).collect();
-    let mut document = Document::new(scene);
-    reported::apply(&mut document, &reports, arguments.speed).map_err(|error| match error {
-        ApplyError::Unordered(error) => {
-            Failure::argument(format!("{}: {error}", place(arguments, 0)), "give reports of one station, a line each")
-        }
-        other => Failure::could_not(other.to_string(), "report this"),
-    })?;
     input::save_scene(document.scene(), arguments.scene.as_deref(), output, arguments.force)?;
-    match &reports[..] {
-        [report] => tell_layers(&reported::layers(report)),
-        _ => say(&format!("{} became tracks", counted(reports.len(), "report", "reports"))),
+    if made.skies.len() > 1 {
+        say(&format!("{} became tracks", counted(made.skies.len(), "time", "times")));
     }
+    made.layers.iter().for_each(tell_layer);
+    if made.layers.is_empty() {
+        say("the report has no clouds");
+    }
+    Ok(())
+}
+
+fn failure(arguments: &Arguments, error: MakeError) -> Failure {
+    match error {
+        MakeError::Unordered(error) => Failure::argument(
+            format!("{}: {error}", place(arguments, 0)),
+            "give reports of one station, or say where each is: --place EDDF=50.03,8.57",
+        ),
+        MakeError::Plugin { plugin, error } => plugin_failure(plugin, &error),
+        broken @ MakeError::Broken(_) => Failure::could_not(broken.to_string(), "report this"),
+    }
+}
+
+fn check_output(arguments: &Arguments, scene: &Scene, output: &std::path::Path) -> Result<(), Failure> {
+    input::check_scene_name(output)?;
+    if let Some(path) = &arguments.scene {
+        input::check_output(scene, path, output)?;
+    }
+    if arguments.file.as_deref().and_then(FileId::of).is_some_and(|file| FileId::of(output) == Some(file)) {
+        let what = format!("--output {}: those are the reports", output.display());
+        return Err(Failure::argument(what, "choose another name; they would be lost"));
+    }
+    saving::to_copy(scene, arguments.scene.as_deref(), output).map_err(input::save_failure)?;
     Ok(())
 }
 
@@ -131,49 +183,71 @@ fn place(arguments: &Arguments, number: usize) -> String {
 }
 
 fn lines(arguments: &Arguments) -> Result<Vec<Line>, Failure> {
-    let text = match (&arguments.file, &arguments.metar) {
-        (Some(file), _) => String::from_utf8(storage::read(file, MOST_BYTES)?).map_err(|_| {
-            Failure::argument(format!("{}: it is no text in UTF-8", file.display()), "give reports, a line each")
-        })?,
-        // Pasted reports may be wrapped; there is one.
-        (None, Some(metar)) => {
-            return Ok(vec![Line { number: 1, read: metar::read(metar) }]);
+    let mut lines = match (&arguments.file, &arguments.metar) {
+        (Some(file), _) => {
+            let bad = |what: &str| {
+                Failure::argument(format!("{}: {what}", file.display()), "give reports, a line each, or as JSON")
+            };
+            let text =
+                String::from_utf8(storage::read(file, MOST_BYTES)?).map_err(|_| bad("it is no text in UTF-8"))?;
+            reports::lines(&text).map_err(|error| bad(&error.to_string()))?
         }
-        (None, None) => String::new(),
+        // Pasted reports may be wrapped; there is one.
+        (None, Some(metar)) => vec![reading::one(metar)],
+        (None, None) => Vec::new(),
     };
-    let has_report = |line: &str| !line.trim().is_empty() && !line.trim_start().starts_with('#');
-    let lines = text.lines().enumerate().filter(|(_, line)| has_report(line));
-    Ok(lines.map(|(index, line)| Line { number: index + 1, read: metar::read(line) }).collect())
-}
-
-fn tell_json(lines: &[Line], scene: &Scene) -> Result<(), Failure> {
-    let plan = |report: &Report| Plan { layers: reported::layers(report), air: Air::of(report, scene) };
-    let answers: Vec<Answer<'_>> = lines
-        .iter()
-        .map(|Line { number, read }| Answer {
-            line: *number,
-            report: read.as_ref().ok(),
-            plan: read.as_ref().ok().map(plan),
-            refused: read.as_ref().err(),
-        })
-        .collect();
-    let text = serde_json::to_string_pretty(&answers);
-    answer(&(text.map_err(|error| Failure::could_not(error.to_string(), "report this"))? + "\n"))
-}
-
-fn tell_layers(layers: &[PlannedLayer]) {
-    if layers.is_empty() {
-        say("the report has no clouds to place");
+    for line in &mut lines {
+        let station = line.read.as_ref().ok().and_then(|reports| reports.first()).map(|report| &report.station);
+        let given = arguments.place.iter().find(|(name, _)| Some(name) == station);
+        line.place = given.map(|(_, place)| *place).or(line.place);
     }
-    for layer in layers {
-        let genus = serde_json::to_value(layer.genus).unwrap_or_default();
-        say(&format!(
-            "to be placed by hand: {}, base {:.0} m above the station{}, {:.0} m thick, {} of 8 oktas",
-            genus.as_str().unwrap_or_default().replace('_', " "),
-            layer.base_m,
-            if layer.base_assumed { " (assumed)" } else { "" },
-            layer.thickness_m,
-            layer.oktas
-        ));
+    Ok(lines)
+}
+
+/// EDDF=50.03,8.57
+fn place_of_station(text: &str) -> Result<(String, Place), String> {
+    let read = || {
+        let (station, place) = text.split_once('=')?;
+        let (latitude, longitude) = place.split_once(',')?;
+        let degrees = |text: &str, most: f64| text.trim().parse::<f64>().ok().filter(|deg| deg.abs() <= most);
+        let place = Place { latitude_deg: degrees(latitude, 90.0)?, longitude_deg: degrees(longitude, 180.0)? };
+        Some((station.trim().to_ascii_uppercase(), place))
+    };
+    read().ok_or_else(|| "write it as EDDF=50.03,8.57: degrees north, and degrees east".into())
+}
+
+fn tell_json<'a>(lines: &'a [Line], made: Option<&'a reports::Made>) -> Result<(), Failure> {
+    let line = |line: &'a Line| AnswerLine {
+        line: line.number,
+        reports: line.read.as_deref().ok(),
+        refused: line.read.as_ref().err(),
+    };
+    let skies =
+        |made: &'a reports::Made| made.skies.iter().map(|(time_s, sky)| AnswerSky { time_s: *time_s, sky }).collect();
+    let answered = Answer {
+        reports: lines.iter().map(line).collect(),
+        skies: made.map(skies),
+        layers: made.map(|made| made.layers.as_slice()),
+    };
+    answer(&super::info::json_text(&answered)?)
+}
+
+/// `BKN cumulus, base 1070 m, 800 m thick: 14 clouds, 5.8 oktas where 6 are asked for`.
+fn tell_layer(made: &MadeLayer) {
+    let MadeLayer { layer, clouds, cover, .. } = made;
+    let genus = serde_json::to_value(layer.genus).unwrap_or_default();
+    let genus = genus.as_str().unwrap_or_default().replace('_', " ");
+    let assumed = if layer.base_assumed { " (assumed)" } else { "" };
+    let what =
+        format!("{genus}, base {:.0} m above the station{assumed}, {:.0} m thick", layer.base_m, layer.thickness_m);
+    let fullest = cover.iter().copied().reduce(|a, b| if b.asked_oktas > a.asked_oktas { b } else { a });
+    match fullest {
+        Some(cover) => say(&format!(
+            "{what}: {}, {:.1} oktas where {} are asked for",
+            counted(clouds.len(), "cloud", "clouds"),
+            cover.measured_oktas,
+            cover.asked_oktas
+        )),
+        None => say(&format!("{what}: no clouds; the haze is as the visibility has it")),
     }
 }

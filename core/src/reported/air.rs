@@ -54,6 +54,31 @@ impl Air {
         }
     }
 
+    /// Means by weight of what is known; of the wind's direction that of its vectors. The time of day is the first's.
+    pub(super) fn between(weighed: &[(f64, Self)]) -> Self {
+        let mean = |value: fn(&Self) -> Option<f64>| {
+            let known = || weighed.iter().filter_map(|(weight, air)| Some((weight, value(air)?)));
+            let weight: f64 = known().map(|(weight, _)| weight).sum();
+            (weight > 0.0).then(|| known().map(|(weight, value)| weight * value).sum::<f64>() / weight)
+        };
+        let part = |turn: fn(f64) -> f64| {
+            let winds =
+                weighed.iter().filter_map(|(weight, air)| Some((weight, air.wind_from_deg?, air.wind_speed_mps?)));
+            winds.map(|(weight, from_deg, mps)| weight * mps * turn(from_deg.to_radians())).sum::<f64>()
+        };
+        let (east, north) = (part(libm::sin), part(libm::cos));
+        let is_blown = libm::hypot(east, north) > 1e-9;
+        Self {
+            wind_from_deg: is_blown.then(|| libm::atan2(east, north).to_degrees().rem_euclid(360.0)),
+            wind_speed_mps: mean(|air| air.wind_speed_mps),
+            temperature_c: mean(|air| air.temperature_c),
+            dew_point_c: mean(|air| air.dew_point_c),
+            relative_humidity: mean(|air| air.relative_humidity),
+            haze_length_m: mean(|air| air.haze_length_m),
+            time_of_day_h: weighed.first().map_or(0.0, |(_, air)| air.time_of_day_h),
+        }
+    }
+
     /// As addresses of properties and their values, without what is not known.
     pub fn values(&self) -> Vec<(&'static str, f64)> {
         let values = [

@@ -66,6 +66,8 @@ impl Genus {
 pub struct PlannedLayer {
     /// Its kind of cloud.
     pub genus: Genus,
+    /// As it stands in the report; none where clouds are told without a cover, or of several reports.
+    pub cover: Option<Cover>,
     /// Of its base above the station, metres.
     pub base_m: f64,
     /// Whether the report has no base for it: it is then where air that rises from the ground condenses, or at 1,000 m.
@@ -110,6 +112,7 @@ fn plan(report: &Report, layer: &crate::formats::metar::Layer) -> Option<Planned
     let thickness_m = genus.thickness_m(base_m);
     Some(PlannedLayer {
         genus,
+        cover: layer.cover,
         base_m,
         base_assumed: layer.base_m.is_none(),
         thickness_m,
@@ -164,5 +167,5 @@ fn fog(report: &Report) -> Option<PlannedLayer> {
     };
     let hidden = report.layers.iter().find(|layer| layer.cover == Some(Cover::Hidden)).and_then(|layer| layer.base_m);
     let thickness_m = hidden.map_or(usual_m, |up| up.max(THIN_M));
-    Some(PlannedLayer { genus: Genus::Fog, base_m: 0.0, base_assumed: false, thickness_m, oktas })
+    Some(PlannedLayer { genus: Genus::Fog, cover: None, base_m: 0.0, base_assumed: false, thickness_m, oktas })
 }

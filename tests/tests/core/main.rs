@@ -9,6 +9,7 @@ mod draw_list;
 mod export;
 mod filter;
 mod flight;
+mod forecasts;
 mod measure;
 mod method;
 mod model_glb;

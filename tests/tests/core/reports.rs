@@ -6,7 +6,7 @@
 use cloudwright_core::document::Document;
 use cloudwright_core::formats::metar::{self, Cover, LayerKind, Report, WindFrom};
 use cloudwright_core::random::draw;
-use cloudwright_core::reported::{self, Air, Genus, layers};
+use cloudwright_core::reported::{self, Air, Genus, Place, Sky, Told, Unordered, layers};
 use cloudwright_core::scene::{Scene, TrackKey};
 use std::collections::BTreeMap;
 use std::fmt::Write;
@@ -246,6 +246,22 @@ fn no_line_panics() {
     assert!(refused > 1000, "the lines are hardly changed: {refused} are refused");
 }
 
+/// Where no station says where it is.
+const HERE: Place = Place { latitude_deg: 50.0, longitude_deg: 8.0 };
+
+fn skies(reports: &[Report]) -> Result<Vec<(f64, Sky)>, Unordered> {
+    let told: Vec<Told> = reports.iter().map(|report| Told { report: report.clone(), place: None }).collect();
+    reported::skies(&told, HERE, &Scene::default())
+}
+
+fn take_air(document: &mut Document, reports: &[Report], speed: f64) {
+    let told: Vec<Told> = reports.iter().map(|report| Told { report: report.clone(), place: None }).collect();
+    let skies = reported::skies(&told, HERE, document.scene()).expect("one station");
+    document.begin("Weather from reports");
+    reported::take_air(document, &skies, speed).expect("they fit");
+    document.commit().expect("a sound scene");
+}
+
 /// What holds of every sky that is made of a report.
 fn check_sky(report: &Report, scene: &Scene, line: &str) {
     let planned = layers(report);
@@ -256,8 +272,7 @@ fn check_sky(report: &Report, scene: &Scene, line: &str) {
         assert!((0.0..=20_000.0).contains(&layer.base_m) && (1.0..=11_000.0).contains(&layer.thickness_m), "{line}");
         assert!((1.5..=8.0).contains(&layer.oktas), "{line}");
     }
-    let mut document = Document::new(scene.clone());
-    reported::apply(&mut document, std::slice::from_ref(report), 1.0).unwrap_or_else(|error| panic!("{line}\n{error}"));
+    take_air(&mut Document::new(scene.clone()), std::slice::from_ref(report), 1.0);
     let humidity = Air::of(report, scene).relative_humidity;
     assert!(humidity.is_none_or(|humidity| humidity > 0.0 && humidity <= 1.0), "{line}: {humidity:?}");
 }
@@ -330,13 +345,13 @@ fn air_becomes_properties() {
 fn reports_of_a_station_stand_in_order_across_a_month() {
     let lines = ["EDDF 010020Z 24010KT", "EDDF 302320Z 24010KT", "EDDF 302350Z 24010KT", "EDDF 302350Z COR 25010KT"];
     let reports: Vec<Report> = lines.iter().map(|line| read(line)).collect();
-    let timed = reported::seconds(&reports).expect("one station");
+    let timed = skies(&reports).expect("one station");
     let times: Vec<f64> = timed.iter().map(|(time_s, _)| *time_s).collect();
     assert_eq!(times, [0.0, 1800.0, 3600.0]);
-    assert_eq!(timed[1].1.wind.expect("told").from, WindFrom::Deg(250.0));
+    assert_eq!(timed[1].1.air.wind_from_deg, Some(250.0), "the correction holds");
     let strange = [reports[0].clone(), read("EDDM 010020Z")];
-    assert!(reported::seconds(&strange).is_err_and(|error| error.to_string().contains("EDDF and EDDM")));
-    assert!(reported::seconds(&[]).is_err());
+    assert!(skies(&strange).is_err_and(|error| error.to_string().contains("2 stations, and none says where EDDF")));
+    assert_eq!(skies(&[]), Err(Unordered::None));
 }
 
 /// Values pass through every report, with one slope on either side, and leave no bound between two.
@@ -356,9 +371,9 @@ fn the_sky_steps_at_no_report() {
     // Its midnight lies between two reports.
     scene.site.utc_offset_h = 1.0;
     let mut document = Document::new(scene);
-    reported::apply(&mut document, &reports, 600.0).expect("they fit");
+    take_air(&mut document, &reports, 600.0);
     // Again, they take the tracks' places.
-    reported::apply(&mut document, &reports, 600.0).expect("they fit");
+    take_air(&mut document, &reports, 600.0);
     let scene = document.scene();
     assert_eq!(scene.tracks.len(), 6);
     let count = BTreeMap::from([("weather/wind_from_deg", 4), ("sky/haze_length_m", 4), ("time_of_day_h", 5)]);

@@ -1,4 +1,5 @@
-//! METAR and SPECI weather reports: one line of text to a typed [`Report`], or the group that could not be read.
+//! METAR and SPECI weather reports: one line of text to a typed [`Report`], or the group that could not be read; TAF
+//! forecasts in [`forecast`].
 //!
 //! The codes are those of ICAO Annex 3 (appendix 3) and WMO No. 306 (FM 15, FM 16; tables 4678 for weather), with the
 //! American and military habits that stand in real reports: statute miles, inches of mercury, CLR, colour codes. What
@@ -10,6 +11,7 @@
 //! Own code, against crate metar-taf-parser as its twin in the tests: that one panics at heights above 65,500 feet and
 //! at some letters beyond ASCII, and passes over what it does not know without saying where.
 
+pub mod forecast;
 mod group;
 mod phenomenon;
 
@@ -174,52 +176,65 @@ pub fn read(text: &str) -> Result<Report, RefusedGroup> {
     let mut groups = Groups::new(text);
     let mut report = header(&mut groups)?;
     while let Some(token) = groups.next() {
-        let refuse = |reason| token.refused(reason);
-        // A number of miles and a fraction are one group.
-        let fraction = groups.peek().filter(|next| next.text.contains('/') && next.text.ends_with("SM"));
-        if let (1, Some(fraction)) = (token.text.len(), fraction)
-            && let Some(miles) =
-                token.text.parse::<u32>().ok().zip(group::fraction(fraction.text.trim_end_matches("SM")))
-        {
-            groups.next();
-            set(&mut report.visibility, Some(group::miles(f64::from(miles.0) + miles.1)), || refuse(TWICE))?;
-            continue;
-        }
-        match group::read(&token.text).map_err(refuse)? {
-            Group::Wind(wind) => set(&mut report.wind, wind, || refuse(TWICE))?,
-            // The least that one sees, where no sensor knows in which direction; the prevailing one stands before it.
-            Group::Visibility(Some(least)) if report.visibility.is_some_and(|before| least.m <= before.m) => {}
-            Group::Visibility(visibility) => set(&mut report.visibility, visibility, || refuse(TWICE))?,
-            Group::Layer(_) if report.clear.is_some_and(|clear| clear != Clear::Ncd) => {
-                return Err(refuse("the report has said before that the sky is clear"));
-            }
-            Group::Layer(layer) => report.layers.push(layer),
-            Group::Clear(clear) if clear != Clear::Ncd && !report.layers.is_empty() => {
-                return Err(refuse("the report has told of clouds before"));
-            }
-            Group::Clear(clear) => {
-                set(&mut report.clear, Some(clear), || refuse(TWICE))?;
-                if clear == Clear::Cavok {
-                    set(&mut report.visibility, Some(group::TEN_KM), || refuse(TWICE))?;
-                }
-            }
-            Group::Weather(weather) => report.weather.push(weather),
-            Group::Temperatures(temperature, dew_point) => {
-                set(&mut report.temperature_c, temperature, || refuse(TWICE))?;
-                set(&mut report.dew_point_c, dew_point, || refuse(TWICE))?;
-            }
-            // Some stations tell it in both units; both are the same.
-            Group::Pressure(pressure) => report.pressure_hpa = report.pressure_hpa.or(pressure),
-            Group::PassedOver { more } => {
-                for _ in 0..more {
-                    groups.next();
-                }
-            }
-            Group::Nothing => return Err(refuse("the station has sent no observation")),
-            Group::End => break,
+        if take(&mut report, &token, &mut groups)? == Taken::End {
+            break;
         }
     }
     Ok(report)
+}
+
+#[derive(PartialEq)]
+enum Taken {
+    Group,
+    End,
+}
+
+/// Adds what `token` says, and the groups after it that belong to it, to the report.
+fn take(report: &mut Report, token: &Token, groups: &mut Groups<'_>) -> Result<Taken, RefusedGroup> {
+    let refuse = |reason| token.refused(reason);
+    // A number of miles and a fraction are one group.
+    let fraction = groups.peek().filter(|next| next.text.contains('/') && next.text.ends_with("SM"));
+    if let (1, Some(fraction)) = (token.text.len(), fraction)
+        && let Some(miles) = token.text.parse::<u32>().ok().zip(group::fraction(fraction.text.trim_end_matches("SM")))
+    {
+        groups.next();
+        set(&mut report.visibility, Some(group::miles(f64::from(miles.0) + miles.1)), || refuse(TWICE))?;
+        return Ok(Taken::Group);
+    }
+    match group::read(&token.text).map_err(refuse)? {
+        Group::Wind(wind) => set(&mut report.wind, wind, || refuse(TWICE))?,
+        // The least that one sees, where no sensor knows in which direction; the prevailing one stands before it.
+        Group::Visibility(Some(least)) if report.visibility.is_some_and(|before| least.m <= before.m) => {}
+        Group::Visibility(visibility) => set(&mut report.visibility, visibility, || refuse(TWICE))?,
+        Group::Layer(_) if report.clear.is_some_and(|clear| clear != Clear::Ncd) => {
+            return Err(refuse("the report has said before that the sky is clear"));
+        }
+        Group::Layer(layer) => report.layers.push(layer),
+        Group::Clear(clear) if clear != Clear::Ncd && !report.layers.is_empty() => {
+            return Err(refuse("the report has told of clouds before"));
+        }
+        Group::Clear(clear) => {
+            set(&mut report.clear, Some(clear), || refuse(TWICE))?;
+            if clear == Clear::Cavok {
+                set(&mut report.visibility, Some(group::TEN_KM), || refuse(TWICE))?;
+            }
+        }
+        Group::Weather(weather) => report.weather.push(weather),
+        Group::Temperatures(temperature, dew_point) => {
+            set(&mut report.temperature_c, temperature, || refuse(TWICE))?;
+            set(&mut report.dew_point_c, dew_point, || refuse(TWICE))?;
+        }
+        // Some stations tell it in both units; both are the same.
+        Group::Pressure(pressure) => report.pressure_hpa = report.pressure_hpa.or(pressure),
+        Group::PassedOver { more } => {
+            for _ in 0..more {
+                groups.next();
+            }
+        }
+        Group::Nothing => return Err(refuse("the station has sent no observation")),
+        Group::End => return Ok(Taken::End),
+    }
+    Ok(Taken::Group)
 }
 
 const TWICE: &str = "the report has another one before it, which says otherwise";
@@ -245,19 +260,27 @@ fn header(groups: &mut Groups<'_>) -> Result<Report, RefusedGroup> {
     let ends = "the text ends before the station and the time";
     let station = groups.next().ok_or_else(|| groups.end(ends))?;
     if station.text == "TAF" {
-        return Err(station.refused("that is a forecast; only METAR and SPECI are read"));
+        return Err(station.refused("that is a forecast; a METAR or SPECI is wanted here"));
     }
-    let is_station = station.text.len() == 4
-        && station.text.starts_with(|c: char| c.is_ascii_uppercase())
-        && station.text.bytes().all(|b| b.is_ascii_alphanumeric());
-    if !is_station {
+    if !is_station(&station.text) {
         return Err(station.refused("a station has four letters, such as EDDF"));
     }
     let time = groups.next().ok_or_else(|| groups.end(ends))?;
     let [day, hour, minute] = group::time(&time.text)
         .ok_or_else(|| time.refused("a report's time is its day, hour and minute with a Z, such as 171320Z"))?;
-    Ok(Report {
-        station: station.text,
+    Ok(blank(station.text, [day, hour, minute]))
+}
+
+fn is_station(text: &str) -> bool {
+    text.len() == 4
+        && text.starts_with(|c: char| c.is_ascii_uppercase())
+        && text.bytes().all(|b| b.is_ascii_alphanumeric())
+}
+
+/// A report that says nothing but where and when.
+fn blank(station: String, [day, hour, minute]: [u32; 3]) -> Report {
+    Report {
+        station,
         day,
         hour,
         minute,
@@ -269,7 +292,7 @@ fn header(groups: &mut Groups<'_>) -> Result<Report, RefusedGroup> {
         temperature_c: None,
         dew_point_c: None,
         pressure_hpa: None,
-    })
+    }
 }
 
 /// A group of a report, in capitals.

@@ -1,0 +1,8 @@
+//! Weather reports into a scene, for window and command line: [`reading`] makes reports of a text, [`making`] a sky of
+//! reports, its clouds by the plugins that ship.
+
+pub mod making;
+pub mod reading;
+
+pub use making::{Made, MadeLayer, MakeError, Making, make};
+pub use reading::{Line, lines};
