@@ -86,7 +86,7 @@ const APP: [&[&str]; 9] = [
     &["saving"],
     &["opening", "signals"],
     &["chart", "command", "storage", "thumbnail"],
-    &["picture_png", "renderer", "theme", "units", "visible", "worker"],
+    &["picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
 ];
 
 /// The rooms of core from above, in the same way.
