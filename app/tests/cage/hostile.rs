@@ -68,7 +68,7 @@ fn check(folder: &str, at_least: usize) {
             let most = cloudwright_scripts::limits::MEMORY_BYTES as u64;
             let _ =
                 write!(table, "{:>6} MiB held{:>6} MiB reserved", seen.resident_kib >> 10, seen.addresses_kib >> 10);
-            if seen.bound == most && (seen.addresses_kib << 10 > most || seen.files != Some(0)) {
+            if seen.bound == most && (seen.addresses_kib << 10 > most || seen.files.is_some_and(|files| files > 0)) {
                 wrong += &format!("{name}: {seen:?}\n");
             }
         }

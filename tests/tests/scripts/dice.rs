@@ -118,28 +118,29 @@ fn statement() -> impl Strategy<Value = String> {
         1 => format!("let v = {call}; set(`cloud/${{cloud}}/position`, v);"),
         2 => format!("cloud = {call};"),
         3 => format!("list += {call};"),
-        _ => format!("{call};"),
+        4 => format!("{call};"),
+        // So that a program goes on after its faults.
+        _ => format!("try {{ {call}; }} catch {{ i += 1; }}"),
     });
     leaf.prop_recursive(3, 12, 4, |inner| {
         let block = prop::collection::vec(inner, 1..4).prop_map(|lines| lines.join(" "));
         (block, 0..4, 0..40).prop_map(|(block, dice, times)| match dice {
             0 => format!("for i in 0..{times} {{ {block} }}"),
             1 => format!("if i < {times} {{ {block} }}"),
-            // So that a program goes on after its faults.
             _ => format!("try {{ {block} }} catch {{ i += 1; }}"),
         })
     })
 }
 
-/// Runs one, and holds it to what a run promises.
-fn check(kind: &str, body: &str) -> Result<bool, TestCaseError> {
+/// Runs one, and holds it to what a run promises. Whether it changed the scene; none if it ended with an error.
+fn check(kind: &str, body: &str) -> Result<Option<bool>, TestCaseError> {
     let head = format!(r#"const PLUGIN = #{{ name: "Dice", kind: "{kind}", sentence: "For tests." }};"#);
     let source = format!("{head}\nfn run(p) {{ {HEAD}\n{body}\n}}");
     let plugin = match Plugin::read(&source) {
         Ok(plugin) => plugin,
         Err(error) => {
             prop_assert!(error.fault != Fault::Broken, "{}\n{}", error, source);
-            return Ok(false);
+            return Ok(None);
         }
     };
     let mut document = Document::new(scene());
@@ -148,7 +149,7 @@ fn check(kind: &str, body: &str) -> Result<bool, TestCaseError> {
     match plugin.run(&before, &plugin.values(), &patience) {
         Err(error) => {
             prop_assert!(error.fault != Fault::Broken, "{}\n{}", error, source);
-            Ok(false)
+            Ok(None)
         }
         Ok(outcome) => {
             let applied = outcome.apply(&plugin, &mut document);
@@ -159,7 +160,7 @@ fn check(kind: &str, body: &str) -> Result<bool, TestCaseError> {
             let changed = *document.scene() != before;
             document.undo();
             prop_assert!(*document.scene() == before, "not undone\n{}", source);
-            Ok(changed)
+            Ok(Some(changed))
         }
     }
 }
@@ -169,12 +170,12 @@ fn random_programs_change_all_or_nothing() {
     let config = ProptestConfig { cases: 400, failure_persistence: None, ..ProptestConfig::default() };
     let mut runner = TestRunner::new_with_rng(config, TestRng::deterministic_rng(RngAlgorithm::ChaCha));
     let (done, changed) = (Cell::new(0), Cell::new(0));
-    let program = (prop::collection::vec(statement(), 1..7), 0..8);
+    let program = (prop::collection::vec(statement(), 1..7), 0..10);
     let ran = runner.run(&program, |(statements, dice)| {
         let kind = if dice == 0 { "exporter" } else { "edit" };
         let is_changed = check(kind, &statements.join("\n"))?;
         done.set(done.get() + 1);
-        changed.set(changed.get() + u32::from(is_changed));
+        changed.set(changed.get() + u32::from(is_changed == Some(true)));
         Ok(())
     });
     ran.unwrap_or_else(|fault| panic!("{fault}"));
@@ -184,11 +185,13 @@ fn random_programs_change_all_or_nothing() {
 
 #[test]
 fn examples_of_the_functions_are_programs() {
+    let (mut count, mut through) = (0, 0);
     let examples = SUBJECTS.iter().flat_map(|(_, list)| *list).map(|(_, usage, _)| example(usage));
-    let (mut ran, mut changed) = (0, 0);
     for example in examples {
-        changed += u32::from(check("edit", &format!("{example};")).unwrap_or_else(|fault| panic!("{fault}")));
-        ran += 1;
+        // A few are of exporters, or need what this scene lacks.
+        let ran = check("edit", &format!("{example};")).unwrap_or_else(|fault| panic!("{fault}"));
+        count += 1;
+        through += u32::from(ran.is_some());
     }
-    assert!(changed * 4 > ran, "{changed} of {ran} changed the scene");
+    assert!(through * 10 > count * 8, "{through} of {count} went through");
 }

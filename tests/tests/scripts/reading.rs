@@ -30,11 +30,12 @@ fn the_worst_texts_are_read_or_refused_in_time() {
         let names: Vec<String> = (0..25_000).map(|i| format!("q{i}")).collect();
         format!("{HEAD}\nfn run(p) {{}} fn f({}) {{ {}", names.join(","), names[..8_000].join(";"))
     };
+    let (mut plain, mut slow) = (None, String::new());
     for (name, text) in [
+        ("statements", run("a;")),
         ("a remark", filled("fn run(p) {} /*", same("/* "), "")),
         ("a text", filled("fn run(p) { let a = \"", same("\\n"), "\"; }")),
         ("texts in texts", filled("fn run(p) { let a = ", same("`${"), "1; }")),
-        ("statements", run("a;")),
         ("variables", run("let a=a;")),
         ("a long sum", filled("fn run(p) { 1", same("+1"), "}")),
         ("a long chain", filled("fn run(p) { p", same(".a"), "}")),
@@ -64,9 +65,14 @@ fn the_worst_texts_are_read_or_refused_in_time() {
         let took = start.elapsed();
         let said = read.as_ref().map_or_else(ToString::to_string, |_| "read".into());
         println!("{name:<30}{:>6} ms  {}", took.as_millis(), said.chars().take(90).collect::<String>());
-        assert!(took < Duration::from_secs(1), "{name}: {took:?}");
+        // As long as plain statements take, a few times over: then it takes no worse than in proportion to its length.
+        let plain = *plain.get_or_insert(took.max(Duration::from_millis(100)));
+        if took > plain * 8 {
+            slow += &format!("{name}: {took:?}, and plain statements {plain:?}\n");
+        }
         if let Err(error) = read {
             assert_ne!(error.fault, Fault::Broken, "{name}: {error}");
         }
     }
+    assert!(slow.is_empty(), "{slow}");
 }
