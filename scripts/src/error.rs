@@ -3,10 +3,11 @@
 use crate::limits::Ended;
 use cloudwright_core::spelling::closest;
 use rhai::{EvalAltResult, ParseError, Position};
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// A plugin can't be read, or a run of it ended early; nothing has been changed then.
-#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error, Serialize, Deserialize)]
 pub struct ScriptError {
     /// What kind of fault.
     pub fault: Fault,
@@ -19,7 +20,7 @@ pub struct ScriptError {
 }
 
 /// Kinds of faults.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub enum Fault {
     /// It is no program.
     Syntax,
@@ -40,7 +41,7 @@ pub enum Fault {
 }
 
 /// A place in a script, both counted from 1.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Place {
     /// The line.
     pub line: usize,
@@ -70,6 +71,26 @@ impl ScriptError {
     /// No place in the script is to blame.
     pub(crate) fn placeless(fault: Fault, message: impl Into<String>, hint: impl Into<String>) -> Self {
         Self::new(fault, Position::NONE, message, hint)
+    }
+
+    /// Nobody wants the result any more.
+    pub fn stopped() -> Self {
+        Ended::Cancelled.into()
+    }
+
+    /// Patience has ended.
+    pub fn too_late() -> Self {
+        Ended::TooLate.into()
+    }
+
+    /// The script asked for more than a script may have.
+    pub fn limit(message: impl Into<String>, hint: impl Into<String>) -> Self {
+        Self::placeless(Fault::Limit, message, hint)
+    }
+
+    /// A fault of ours.
+    pub fn broken(message: impl Into<String>) -> Self {
+        Self::placeless(Fault::Broken, message, "report this, with the script")
     }
 
     pub(crate) fn of_parse(error: &ParseError) -> Self {
@@ -160,6 +181,13 @@ impl From<Ended> for Said {
                 "does a loop never end? functions that take whole lists do more at once",
             ),
         }
+    }
+}
+
+impl From<Ended> for ScriptError {
+    fn from(ended: Ended) -> Self {
+        let Said { fault, message, hint } = ended.into();
+        Self::placeless(fault, message, hint)
     }
 }
 

@@ -1,6 +1,7 @@
 //! Plugins read, and run: a script's `fn run(parameters)` is called once and yields edits, or nothing at all.
 //!
-//! A run has an engine of its own, in a thread of its own, whose stack is as large as the limits need. What the script
+//! A run has an engine of its own, in a thread of its own, whose stack is as large as the limits need. So tests run it;
+//! the program runs it in a process of its own besides ([`crate::caged`]). What the script
 //! asks for is tried at once in a draft of the scene, so that a fault has its line; the scene itself is only read. The
 //! edits are for one transaction under the plugin's name ([`Outcome::apply`]). An exporter's run changes nothing and
 //! returns a text, which whoever asked for it writes.
@@ -8,7 +9,7 @@
 use crate::bindings::{self, Exported};
 use crate::description::{Description, PluginKind};
 use crate::error::{Fault, Said, ScriptError};
-use crate::limits::{PRINTED_LETTERS, PRINTED_LINES, Patience, SOURCE_BYTES, STACK_BYTES, bare_engine};
+use crate::limits::{Hears, PRINTED_LETTERS, PRINTED_LINES, Patience, SOURCE_BYTES, STACK_BYTES, bare_engine};
 use crate::parameter::Values;
 use crate::recorder::Recorder;
 use cloudwright_core::document::{Change, Document, Edit, EditError};
@@ -19,8 +20,10 @@ use rhai::packages::{
     BasicStringPackage, LogicPackage, MoreStringPackage, Package,
 };
 use rhai::{AST, CallFnOptions, Dynamic, Engine, Position, Scope};
+use serde::{Deserialize, Serialize};
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
+use std::sync::Arc;
 use std::time::Duration;
 
 /// The function that a run calls.
@@ -31,11 +34,11 @@ pub const RUN: &str = "run";
 pub struct Plugin {
     /// What it says.
     pub description: Description,
-    source: String,
+    pub(crate) source: String,
 }
 
 /// What a run asked for.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Outcome {
     /// For one transaction, in order.
     pub edits: Vec<Edit>,
@@ -56,7 +59,8 @@ impl Outcome {
 }
 
 impl Plugin {
-    /// Reads what a script says it is, and runs nothing of it.
+    /// Reads what a script says it is, and runs nothing of it. It needs no process of its own: what a parser does is
+    /// bounded by the text's size and depth, on a stack that holds that depth.
     ///
     /// # Errors
     /// If it is no program, does not say what it is, or lacks the function that runs it.
@@ -106,7 +110,19 @@ impl Plugin {
         values: &Values,
         patience: &Patience,
     ) -> Result<Outcome, ScriptError> {
-        in_a_thread(|| self.run_here(scene, selected, values, patience))
+        self.run_heard(scene, selected, values, patience, &(Arc::new(|_| ()) as Hears))
+    }
+
+    /// As [`Plugin::run_on`]; `hears` is told whose time passes.
+    pub(crate) fn run_heard(
+        &self,
+        scene: &Scene,
+        selected: &[Thing],
+        values: &Values,
+        patience: &Patience,
+        hears: &Hears,
+    ) -> Result<Outcome, ScriptError> {
+        in_a_thread(|| self.run_here(scene, selected, values, patience, hears))
     }
 
     fn run_here(
@@ -115,14 +131,14 @@ impl Plugin {
         selected: &[Thing],
         values: &Values,
         patience: &Patience,
+        hears: &Hears,
     ) -> Result<Outcome, ScriptError> {
         let exports = self.description.kind == PluginKind::Exporter;
         let recorder = if exports { Recorder::read_only(scene) } else { Recorder::new(scene) };
         let recorder = Rc::new(RefCell::new(recorder));
-        let exported = exports.then(|| Rc::new(Exported::new(patience)));
+        let exported = exports.then(|| Rc::new(Exported::new(patience, Arc::clone(hears))));
         let printed = Rc::new(RefCell::new(Vec::new()));
         let mut engine = engine();
-        let core = names(&engine);
         bindings::register(&mut engine, &recorder, selected, exported.as_ref());
         let (ours, places) = (patience.clone(), exported.clone());
         engine.on_progress(move |step| {
@@ -143,8 +159,7 @@ impl Plugin {
         let done =
             engine.call_fn_with_options::<Dynamic>(options, &mut Scope::new(), &ast, RUN, (Dynamic::from(parameters),));
         let returned = done.map_err(|error| {
-            let mut known = core;
-            known.extend(names(&engine));
+            let mut known = names(&engine);
             known.extend(ast.iter_functions().map(|function| function.name.to_owned()));
             ScriptError::of_run(&error, reached.get(), &known, bindings::usage)
         })?;
@@ -209,7 +224,7 @@ fn names(engine: &Engine) -> Vec<String> {
 
 /// Does it on a stack that holds whatever the limits let through, and turns a panic of the engine's into an error.
 fn in_a_thread<T: Send>(work: impl FnOnce() -> Result<T, ScriptError> + Send) -> Result<T, ScriptError> {
-    let broken = |message: &str| Err(ScriptError::placeless(Fault::Broken, message, "report this, with the script"));
+    let broken = |message: &str| Err(ScriptError::broken(message));
     std::thread::scope(|scope| {
         let thread = std::thread::Builder::new().name("script".into()).stack_size(STACK_BYTES);
         match thread.spawn_scoped(scope, work) {

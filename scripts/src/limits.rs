@@ -1,10 +1,11 @@
 //! What a script may use, and how long it may take: all limits said here, none left to the engine's defaults.
 //!
 //! The engine's limits bound single values and steps, neither memory in all nor the stack. A run has a thread with a
-//! stack of its own (`STACK_BYTES`) that holds what these limits let through; memory in all is for a process to bound,
-//! which is to come.
+//! stack of its own (`STACK_BYTES`) that holds what these limits let through; memory in all is bounded by the process
+//! that it runs in ([`crate::caged`], [`MEMORY_BYTES`]).
 
 use rhai::Engine;
+use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::{Duration, Instant};
@@ -25,6 +26,12 @@ pub const PRINTED_LINES: usize = 1_000;
 pub const PRINTED_LETTERS: usize = 1_000;
 /// Of all texts that one run makes for files.
 pub const EXPORTED_BYTES: usize = 64 << 20;
+/// Of what a process answers: the longest text for a file, each of its letters written as two.
+pub const ANSWER_BYTES: usize = 2 * EXPORTED_BYTES;
+/// Of all that a process which runs a script has, as address space: the stack; a longest text as it grows, is joined and
+/// is written into the answer, four times the largest answer in all; and as much again for the program itself, its
+/// threads, a scene with its sprites and what the script keeps.
+pub const MEMORY_BYTES: usize = STACK_BYTES + 8 * ANSWER_BYTES;
 
 const OPERATIONS: u64 = 200_000_000;
 const CALL_LEVELS: usize = 48;
@@ -68,6 +75,18 @@ impl Patience {
         self.until.is_some_and(|until| Instant::now() >= until + unasked).then_some(Ended::TooLate)
     }
 }
+
+/// Whose time passes while a run goes on: what takes long may be the scene, which no script is to blame for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum TimeOf {
+    /// The script's.
+    Script,
+    /// The scene's: its sprites are being placed.
+    Scene,
+}
+
+/// Hears whose time it is from now on.
+pub(crate) type Hears = Arc<dyn Fn(TimeOf) + Send + Sync>;
 
 /// Why a run ends early.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -2,6 +2,7 @@
 
 use crate::error::{Fault, ScriptError, did_you_mean};
 use crate::literal::{Fields, Literal, Written};
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 use std::fmt;
 
@@ -59,7 +60,7 @@ pub struct Span {
 }
 
 /// What a parameter has.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub enum ParameterValue {
     /// True or false.
     Flag(bool),
@@ -74,7 +75,7 @@ pub enum ParameterValue {
 }
 
 /// What all parameters of a plugin have.
-#[derive(Debug, Clone, PartialEq, Default)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Values(pub(crate) BTreeMap<String, ParameterValue>);
 
 const KINDS: &[&str] = &["number", "integer", "flag", "text", "choice", "color", "seed", "cloud", "model"];

@@ -13,7 +13,8 @@ pub(super) fn check(args: &[OsString]) -> Result<(), Failure> {
     let Some(word) = args.get(1).and_then(|word| word.to_str()) else { return Ok(()) };
     let is_word = word.bytes().all(|b| b.is_ascii_alphanumeric());
     let command = Arguments::command();
-    let names: Vec<&str> = command.get_subcommands().map(clap::Command::get_name).collect();
+    let told = command.get_subcommands().filter(|subcommand| !subcommand.is_hide_set());
+    let names: Vec<&str> = told.map(clap::Command::get_name).collect();
     let hint = did_you_mean(word, &names);
     if !is_word || hint.is_empty() || names.contains(&word) || storage::is_there(Path::new(word)) {
         return Ok(());

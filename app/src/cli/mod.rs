@@ -19,6 +19,7 @@ mod plugins;
 mod progress;
 mod render;
 mod run;
+mod script_host;
 mod table;
 mod thin;
 mod weather;
@@ -63,6 +64,7 @@ fn perform(arguments: &Arguments) -> Result<(), Failure> {
         Some(Subcommand::Run(arguments)) => run::run(arguments),
         Some(Subcommand::Plugins(arguments)) => plugins::run(arguments),
         Some(Subcommand::Weather(arguments)) => weather::run(arguments),
+        Some(Subcommand::ScriptHost) => script_host::run(),
     }
 }
 

@@ -59,6 +59,9 @@ pub(super) enum Subcommand {
     Plugins(plugins::Arguments),
     /// Give a scene the wind, air and hour of weather reports
     Weather(weather::Arguments),
+    /// Run one plugin, as asked on stdin; the program starts this itself
+    #[command(hide = true)]
+    ScriptHost,
 }
 
 #[cfg(test)]

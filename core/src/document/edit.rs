@@ -3,11 +3,12 @@
 use super::{Change, EditError};
 // With the types and ids that the rows name.
 use crate::scene::*;
+use serde::{Deserialize, Serialize};
 
 macro_rules! edits {
     ($($(#[$doc:meta])* $Kind:ident: $Value:ident, $Id:ident, $list:ident, $word:literal, $title:literal;)*) => {
         /// A named value that changes a scene.
-        #[derive(Debug, Clone, PartialEq)]
+        #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
         pub enum Edit {
             /// The scene's name.
             Name(String),
@@ -132,7 +133,11 @@ macro_rules! edits {
 kinds!(edits);
 
 /// A change to one of the scene's lists.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(bound(
+    serialize = "T: Serialize, T::Id: Serialize",
+    deserialize = "T: Deserialize<'de>, T::Id: Deserialize<'de>"
+))]
 pub enum ListEdit<T: HasId> {
     /// Puts `value` at position `at` (at the end if that is beyond it).
     Insert {

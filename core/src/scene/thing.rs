@@ -4,11 +4,12 @@
 use super::ids::*;
 use super::kinds;
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 
 macro_rules! things {
     ($($(#[$doc:meta])* $Kind:ident: $Value:ident, $Id:ident, $list:ident, $word:literal, $title:literal;)*) => {
         /// Something of a scene that can be chosen.
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
         pub enum Thing {
             $($(#[$doc])* $Kind($Id),)*
             /// A box of a model.

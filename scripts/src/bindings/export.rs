@@ -5,7 +5,7 @@
 use super::convert::{kind, list, number, text};
 use super::{Answer, Shared, Usage};
 use crate::error::{Said, did_you_mean};
-use crate::limits::{EXPORTED_BYTES, Patience};
+use crate::limits::{EXPORTED_BYTES, Hears, Patience, TimeOf};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
 use cloudwright_core::scene::Scene;
@@ -34,9 +34,9 @@ const MOST_COLUMNS: usize = 32;
 const SPRITES_A_LOOK: usize = 1024;
 
 /// What an exporter's run has made so far.
-#[derive(Debug)]
 pub(crate) struct Exported {
     patience: Patience,
+    hears: Hears,
     placed: OnceCell<Derived>,
     unasked: Cell<Duration>,
     bytes: Cell<usize>,
@@ -47,9 +47,9 @@ pub(crate) struct Exported {
 struct Text(Rc<str>);
 
 impl Exported {
-    pub(crate) fn new(patience: &Patience) -> Self {
+    pub(crate) fn new(patience: &Patience, hears: Hears) -> Self {
         let patience = patience.clone();
-        Self { patience, placed: OnceCell::new(), unasked: Cell::default(), bytes: Cell::default() }
+        Self { patience, hears, placed: OnceCell::new(), unasked: Cell::default(), bytes: Cell::default() }
     }
 
     /// How long placing sprites took.
@@ -63,11 +63,13 @@ impl Exported {
 
     fn placed(&self, scene: &Scene) -> Result<&Derived, Said> {
         if self.placed.get().is_none() {
+            (self.hears)(TimeOf::Scene);
             let start = Instant::now();
             let watch = Watch::cancelled_by(Arc::clone(&self.patience.cancelled));
             let nothing = Derived::default();
             let placed = nothing.plan(scene, &Change::everything()).carry_out(&watch);
             self.unasked.set(start.elapsed());
+            (self.hears)(TimeOf::Script);
             let Some(placed) = placed else { return Err(crate::limits::Ended::Cancelled.into()) };
             let _ = self.placed.set(placed);
         }

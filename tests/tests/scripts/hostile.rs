@@ -1,8 +1,9 @@
 //! `tests/hostile/`: scripts that mean harm, or are merely wrong. The first line of each says what must be told, in parts
-//! that `;` divides. Each stops within 2 s, and there is nothing to apply.
+//! that `;` divides. Each stops, and there is nothing to apply. That it stops within 2 s, however busy the machine, is what
+//! its process is for (`app/tests/cage/`, which runs them too).
 //!
-//! What only a process of its own can hold, and so is no row yet: the sum of many values that are each within the
-//! limits (call levels × variables × size), and whatever breaks the engine itself rather than a limit.
+//! What only a process of its own can hold is in `tests/hostile/caged/`, and no row here: the sum of many values that are
+//! each within the limits (call levels × variables × size), and what grows without the engine's notice.
 
 use crate::scene;
 use cloudwright_scripts::{Fault, Patience, Plugin, ScriptError};
@@ -10,11 +11,13 @@ use cloudwright_tests::root;
 use std::fs;
 use std::time::{Duration, Instant};
 
-const MOST: Duration = Duration::from_secs(2);
+/// For what would be told in time on a machine that is not busy.
+const LONG: Duration = Duration::from_secs(60);
 
-fn refused(source: &str) -> Result<(), ScriptError> {
+fn refused(source: &str, patience: Duration) -> Result<(), ScriptError> {
     let plugin = Plugin::read(source)?;
-    plugin.run(&scene(), &plugin.values(), &Patience::usual()).map(|_| ())
+    let patience = Patience { until: Some(Instant::now() + patience), ..Patience::usual() };
+    plugin.run(&scene(), &plugin.values(), &patience).map(drop)
 }
 
 #[test]
@@ -23,19 +26,21 @@ fn each_is_stopped_with_its_message() {
     let mut wrong = String::new();
     let mut paths: Vec<_> = fs::read_dir(root().join("tests/hostile")).expect("a folder").flatten().collect();
     paths.sort_by_key(fs::DirEntry::path);
-    for path in paths.into_iter().map(|entry| entry.path()) {
+    for path in paths.into_iter().map(|entry| entry.path()).filter(|path| path.is_file()) {
         let source = fs::read_to_string(&path).expect("text");
         let name = path.file_name().expect("a name").to_string_lossy().into_owned();
         let wanted = source.lines().next().and_then(|line| line.strip_prefix("// expect: ")).expect("what it must say");
-        let start = Instant::now();
-        let said = refused(&source);
-        let took = start.elapsed();
+        let is_told = |text: &str| wanted.split(';').all(|part| text.contains(part.trim()));
+        let mut said = refused(&source, Patience::USUAL);
+        if said.as_ref().is_err_and(|error| error.message.contains("takes too long") && !is_told(&error.to_string())) {
+            said = refused(&source, LONG);
+        }
         count += 1;
         match said {
             Ok(()) => wrong += &format!("{name}: it went through\n"),
             Err(error) => {
                 let text = error.to_string();
-                if error.fault == Fault::Broken || !wanted.split(';').all(|part| text.contains(part.trim())) {
+                if error.fault == Fault::Broken || !is_told(&text) {
                     wrong += &format!("{name}: no “{wanted}” in: {text}\n");
                 }
                 let placeless = ["run_is_no_function.rhai", "a_fault_at_the_end.rhai"].contains(&name.as_str());
@@ -43,9 +48,6 @@ fn each_is_stopped_with_its_message() {
                     wrong += &format!("{name}: no place in: {text}\n");
                 }
             }
-        }
-        if took > MOST {
-            wrong += &format!("{name}: took {took:?}\n");
         }
     }
     assert!(wrong.is_empty(), "{wrong}");

@@ -2,8 +2,10 @@
 
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
+mod dice;
 mod hostile;
 mod plugins;
+mod reading;
 
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Scene;
