@@ -4,6 +4,7 @@
 
 mod hostile;
 mod plugins;
+mod reach;
 
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Scene;

@@ -4,23 +4,23 @@ use crate::scene;
 use cloudwright_core::document::{Document, Edit};
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::{CloudId, Scene, Thing};
-use cloudwright_scripts::shipped::SHIPPED;
+use cloudwright_scripts::shipped::{SHIPPED, named};
 use cloudwright_scripts::{Fault, Outcome, Patience, Plugin, PluginKind, ScriptError};
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
 
 /// A plugin whose `run` has that body.
-fn plugin(body: &str) -> Plugin {
+pub fn plugin(body: &str) -> Plugin {
     let head = r#"const PLUGIN = #{ name: "Test", kind: "edit", sentence: "For tests." };"#;
     Plugin::read(&format!("{head}\nfn run(p) {{\n{body}\n}}")).expect("a plugin")
 }
 
-fn run(plugin: &Plugin, scene: &Scene) -> Result<Outcome, ScriptError> {
+pub fn run(plugin: &Plugin, scene: &Scene) -> Result<Outcome, ScriptError> {
     plugin.run(scene, &plugin.values(), &Patience::usual())
 }
 
 /// What `body` makes of the usual scene.
-fn after(body: &str) -> Scene {
+pub fn after(body: &str) -> Scene {
     let plugin = plugin(body);
     let mut document = Document::new(scene());
     run(&plugin, document.scene()).expect("it runs").apply(&plugin, &mut document).expect("it fits");
@@ -52,7 +52,7 @@ fn shipped_ones_make_the_same_twice_and_are_undone_cleanly() {
 
 #[test]
 fn every_value_is_what_was_chosen() {
-    let plugin = Plugin::read(SHIPPED[0].source).expect("a plugin");
+    let plugin = Plugin::read(named("diurnal_cumulus").expect("a plugin").source).expect("a plugin");
     let mut values = plugin.values();
     values.set(&plugin.description.parameters, "length_s", "60").expect("a length");
     values.set(&plugin.description.parameters, "looped", "yes").expect("a flag");
