@@ -25,15 +25,21 @@ macro_rules! shipped {
 /// All that there are, by name.
 pub const SHIPPED: &[Shipped] = shipped! {
     "altocumulus_sheet" "boxes" "cover";
+    "clear_corridor" "chosen";
+    "cloud_streets" "cumulus" "boxes";
     "cumulonimbus" "cumulonimbus" "cumulus" "boxes" "cover";
     "cumulus_field" "cumulus" "boxes" "cover";
     "diurnal_cumulus";
+    "flat_bases" "chosen";
+    "frontal_passage" "deck" "cumulus" "boxes";
     "golden_hour";
+    "scatter_along_path";
     "scatter_clouds";
     "sprite_table";
     "storm_look";
-    "stratocumulus_deck" "boxes" "cover";
-    "wind_lean";
+    "stratocumulus_deck" "deck" "boxes" "cover";
+    "thunderstorm_life" "cumulonimbus" "cumulus" "boxes";
+    "wind_lean" "chosen";
 };
 
 /// The one of that name.
