@@ -150,6 +150,8 @@ const PLUGIN = #{
         #{ name: "tint", kind: "color", initial: [1, 0.5, 0], shown_if: #{ mode: "wild" } },
         #{ name: "again", kind: "flag" }, #{ name: "words", kind: "text", initial: "a b" },
         #{ name: "dice", kind: "seed", initial: 7 }, #{ name: "of", kind: "cloud" }, #{ name: "kind_of", kind: "model" },
+        #{ name: "way", kind: "path" }, #{ name: "report", kind: "metar", initial: "METAR EDDF" },
+        #{ name: "over_day", kind: "curve", unit: "°C", min: 0, max: 2, initial: [[0, 1], [0.5, 2], [1, 1]] },
     ],
 };
 fn run(p) { throw "it was run"; }
@@ -160,7 +162,7 @@ fn run(p) { throw "it was run"; }
         let description = Plugin::read(GOOD).expect("a plugin").description;
         assert_eq!((description.name.as_str(), description.kind), ("Test", PluginKind::Weather));
         assert_eq!((description.author.as_str(), description.version.as_str()), ("A", "2"));
-        assert_eq!(description.parameters.len(), 9);
+        assert_eq!(description.parameters.len(), 12);
         let length = description.parameter("length_s").expect("a length");
         let ParameterKind::Number(span) = &length.kind else { unreachable!("{length:?}") };
         assert_eq!((span.hard, span.soft, span.step, span.unit.as_str()), ([1.0, 60.5], [1.0, 30.0], Some(0.5), "s"));
@@ -169,6 +171,15 @@ fn run(p) { throw "it was run"; }
         assert_eq!(initial("count"), ParameterValue::Whole(-3));
         assert_eq!(initial("mode"), ParameterValue::Text("calm".into()));
         assert_eq!(initial("tint"), ParameterValue::Color([1.0, 0.5, 0.0]));
+        assert_eq!(initial("way"), ParameterValue::Whole(0));
+        assert_eq!(initial("report"), ParameterValue::Text("METAR EDDF".into()));
+        let curve = ParameterValue::Curve(vec![[0.0, 1.0], [0.5, 2.0], [1.0, 1.0]]);
+        assert_eq!(initial("over_day"), curve);
+        let read = |text: &str| description.parameter("over_day").expect("a curve").read_text(text);
+        assert_eq!(read(&curve.to_string()), Ok(curve));
+        for bad in ["", "0", "0:1,0:2", "0:3", "0:NaN", "NaN:1", "0:1;1:1"] {
+            assert!(read(bad).is_err(), "{bad}");
+        }
         let shown = description.parameter("tint").and_then(|tint| tint.shown_if.clone());
         assert_eq!(shown, Some(("mode".into(), ParameterValue::Text("wild".into()))));
     }
@@ -201,6 +212,9 @@ fn run(p) { throw "it was run"; }
             ("#{ mode: \"wild\" }", "#{ mood: \"wild\" }", "mood", "did you mean `mode`?"),
             ("#{ mode: \"wild\" }", "#{ mode: \"wlid\" }", "\"wlid\"", "the names are calm, wild"),
             ("initial: 7", "initial: -7", "-7", "it is 0 or more"),
+            ("[0.5, 2]", "[0.5]", "[0.5]", "a point is a list, where a list of two numbers"),
+            ("[0.5, 2]", "[0, 2]", "[[0, 1]", "to the right of the one before"),
+            ("[0.5, 2]", "[0.5, 3]", "[[0, 1]", "0:1,0.5:3,1:1 is not a curve"),
             ("initial: 9", "initial: f()", "f()", "would have to be computed"),
             ("const PLUGIN", "let PLUGIN", "// A script", "does not say what it is"),
         ] {

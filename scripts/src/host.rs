@@ -139,7 +139,7 @@ impl Plugin {
         let exported = exports.then(|| Rc::new(Exported::new(patience, Arc::clone(hears))));
         let printed = Rc::new(RefCell::new(Vec::new()));
         let mut engine = engine();
-        bindings::register(&mut engine, &recorder, selected, exported.as_ref());
+        bindings::register(&mut engine, &recorder, selected, exported.as_ref(), patience);
         let (ours, places) = (patience.clone(), exported.clone());
         engine.on_progress(move |step| {
             let unasked = places.as_ref().map_or(Duration::ZERO, |places| places.unasked());

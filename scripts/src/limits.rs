@@ -40,7 +40,8 @@ const DEPTHS: [usize; 2] = [64, 48];
 const VARIABLES: usize = 256;
 const FUNCTIONS: usize = 256;
 const TEXT_BYTES: usize = 64 << 10;
-const MAP_FIELDS: usize = 1_000;
+/// Fields of a map, or of all maps in a list.
+const MAP_FIELDS: usize = LIST_ITEMS;
 /// So many steps pass between two looks at the clock.
 const STEPS_A_LOOK: u64 = 256;
 

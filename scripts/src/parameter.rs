@@ -44,6 +44,12 @@ pub enum ParameterKind {
     Cloud,
     /// The id of a cloud model of the scene.
     Model,
+    /// The id of a camera path of the scene.
+    Path,
+    /// Points of a line that runs from left to right: `[x, y]` each, and y in a range.
+    Curve(Span),
+    /// The words of weather reports, METAR or TAF.
+    Metar,
 }
 
 /// What a number means and may be.
@@ -72,19 +78,24 @@ pub enum ParameterValue {
     Text(String),
     /// Linear light.
     Color([f64; 3]),
+    /// A curve's points, in rising order of x.
+    Curve(Vec<[f64; 2]>),
 }
 
 /// What all parameters of a plugin have.
 #[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
 pub struct Values(pub(crate) BTreeMap<String, ParameterValue>);
 
-const KINDS: &[&str] = &["number", "integer", "flag", "text", "choice", "color", "seed", "cloud", "model"];
+const KINDS: &[&str] =
+    &["number", "integer", "flag", "text", "choice", "color", "seed", "cloud", "model", "path", "curve", "metar"];
 const OF_ALL: &[&str] = &["name", "label", "help", "kind", "initial", "shown_if"];
 const OF_NUMBERS: &[&str] = &["unit", "min", "max", "soft_min", "soft_max", "step"];
 /// Brightest channel that a colour parameter may have, as the scene's colours.
 const BRIGHTEST: f64 = 1000.0;
 /// What a number may be that says nothing of its range.
 const ANY: [f64; 2] = [-1e12, 1e12];
+/// A curve of more is no longer drawn by hand.
+const MOST_POINTS: usize = 64;
 
 impl Parameter {
     pub(crate) fn read(literal: &Literal, before: &[Self]) -> Result<Self, ScriptError> {
@@ -144,15 +155,20 @@ impl Parameter {
         let numbers = || text.split(',').map(|part| part.trim().parse::<f64>().ok()).collect::<Option<Vec<f64>>>();
         let value = match &self.kind {
             ParameterKind::Number(_) => text.parse().ok().map(ParameterValue::Number),
-            ParameterKind::Integer(_) | ParameterKind::Seed | ParameterKind::Cloud | ParameterKind::Model => {
-                text.parse().ok().map(ParameterValue::Whole)
-            }
+            ParameterKind::Integer(_)
+            | ParameterKind::Seed
+            | ParameterKind::Cloud
+            | ParameterKind::Model
+            | ParameterKind::Path => text.parse().ok().map(ParameterValue::Whole),
             ParameterKind::Flag => match text {
                 "true" | "yes" | "on" => Some(ParameterValue::Flag(true)),
                 "false" | "no" | "off" => Some(ParameterValue::Flag(false)),
                 _ => None,
             },
-            ParameterKind::Text | ParameterKind::Choice(_) => Some(ParameterValue::Text(text.into())),
+            ParameterKind::Text | ParameterKind::Choice(_) | ParameterKind::Metar => {
+                Some(ParameterValue::Text(text.into()))
+            }
+            ParameterKind::Curve(_) => points(text).map(ParameterValue::Curve),
             ParameterKind::Color => numbers().and_then(|parts| parts.try_into().ok()).map(ParameterValue::Color),
         };
         let value = value.filter(|value| self.kind.why_not(value).is_none());
@@ -173,10 +189,14 @@ impl ParameterKind {
         let name = literal.text("kind")?;
         let only = |more: &[&'static str]| fields.only(&[OF_ALL, more].concat());
         Ok(match name {
-            "number" | "integer" => {
+            "number" | "integer" | "curve" => {
                 only(OF_NUMBERS)?;
                 let span = Span::read(fields)?;
-                if name == "number" { Self::Number(span) } else { Self::Integer(span) }
+                match name {
+                    "number" => Self::Number(span),
+                    "integer" => Self::Integer(span),
+                    _ => Self::Curve(span),
+                }
             }
             "choice" => {
                 only(&["choices"])?;
@@ -188,7 +208,7 @@ impl ParameterKind {
                 }
                 Self::Choice(names)
             }
-            "flag" | "text" | "color" | "seed" | "cloud" | "model" => {
+            "flag" | "text" | "color" | "seed" | "cloud" | "model" | "path" | "metar" => {
                 only(&[])?;
                 match name {
                     "flag" => Self::Flag,
@@ -196,7 +216,9 @@ impl ParameterKind {
                     "color" => Self::Color,
                     "seed" => Self::Seed,
                     "cloud" => Self::Cloud,
-                    _ => Self::Model,
+                    "model" => Self::Model,
+                    "path" => Self::Path,
+                    _ => Self::Metar,
                 }
             }
             _ => {
@@ -212,12 +234,12 @@ impl ParameterKind {
     fn usual(&self) -> Option<ParameterValue> {
         match self {
             Self::Flag => Some(ParameterValue::Flag(false)),
-            Self::Text => Some(ParameterValue::Text(String::new())),
+            Self::Text | Self::Metar => Some(ParameterValue::Text(String::new())),
             Self::Seed => Some(ParameterValue::Whole(1)),
             // None yet: an id is never 0.
-            Self::Cloud | Self::Model => Some(ParameterValue::Whole(0)),
+            Self::Cloud | Self::Model | Self::Path => Some(ParameterValue::Whole(0)),
             Self::Choice(names) => names.first().cloned().map(ParameterValue::Text),
-            Self::Number(_) | Self::Integer(_) | Self::Color => None,
+            Self::Number(_) | Self::Integer(_) | Self::Color | Self::Curve(_) => None,
         }
     }
 
@@ -226,11 +248,18 @@ impl ParameterKind {
             (Self::Number(_), Written::Number(_) | Written::Whole(_)) => {
                 ParameterValue::Number(literal.number("initial")?)
             }
-            (Self::Integer(_) | Self::Seed | Self::Cloud | Self::Model, Written::Whole(whole)) => {
+            (Self::Integer(_) | Self::Seed | Self::Cloud | Self::Model | Self::Path, Written::Whole(whole)) => {
                 ParameterValue::Whole(*whole)
             }
             (Self::Flag, Written::Flag(flag)) => ParameterValue::Flag(*flag),
-            (Self::Text | Self::Choice(_), Written::Text(text)) => ParameterValue::Text(text.clone()),
+            (Self::Text | Self::Choice(_) | Self::Metar, Written::Text(text)) => ParameterValue::Text(text.clone()),
+            (Self::Curve(_), Written::List(list)) => {
+                let point = |literal: &Literal| match literal.list("a point")? {
+                    [x, y] => Ok([x.number("x")?, y.number("y")?]),
+                    _ => Err(literal.wanted("a point", "a list of two numbers, [x, y],")),
+                };
+                ParameterValue::Curve(list.iter().map(point).collect::<Result<_, _>>()?)
+            }
             (Self::Color, Written::List(list)) if list.len() == 3 => {
                 let mut color = [0.0; 3];
                 for (channel, literal) in color.iter_mut().zip(list) {
@@ -251,7 +280,7 @@ impl ParameterKind {
         match (self, value) {
             (Self::Number(span), ParameterValue::Number(number)) => span.why_not(*number),
             (Self::Integer(span), ParameterValue::Whole(whole)) => span.why_not(*whole as f64),
-            (Self::Seed | Self::Cloud | Self::Model, ParameterValue::Whole(whole)) => {
+            (Self::Seed | Self::Cloud | Self::Model | Self::Path, ParameterValue::Whole(whole)) => {
                 (*whole < 0).then(|| "it is 0 or more".into())
             }
             (Self::Choice(names), ParameterValue::Text(text)) if !names.contains(text) => {
@@ -261,9 +290,30 @@ impl ParameterKind {
                 let is_sound = |channel: &f64| (0.0..=BRIGHTEST).contains(channel);
                 (!channels.iter().all(is_sound)).then(|| format!("each is 0 to {BRIGHTEST}"))
             }
+            (Self::Curve(span), ParameterValue::Curve(points)) => {
+                if !(1..=MOST_POINTS).contains(&points.len()) {
+                    return Some(format!("it has 1 to {MOST_POINTS} points"));
+                }
+                if !points.iter().all(|[x, _]| x.is_finite() && x.abs() <= ANY[1]) {
+                    return Some("each x is a number".into());
+                }
+                if !points.is_sorted_by(|a, b| a[0] < b[0]) {
+                    return Some("each point lies to the right of the one before".into());
+                }
+                points.iter().find_map(|[_, y]| span.why_not(*y))
+            }
             _ => None,
         }
     }
+}
+
+/// A curve's points as on the command line: `0:0,0.5:1,1:0`.
+fn points(text: &str) -> Option<Vec<[f64; 2]>> {
+    let point = |text: &str| {
+        let (x, y) = text.split_once(':')?;
+        Some([x.trim().parse().ok()?, y.trim().parse().ok()?])
+    };
+    text.split(',').map(point).collect()
 }
 
 impl Span {
@@ -315,6 +365,9 @@ impl fmt::Display for ParameterKind {
             Self::Seed => f.write_str("a seed, a whole number from 0"),
             Self::Cloud => f.write_str("the id of a cloud"),
             Self::Model => f.write_str("the id of a cloud model"),
+            Self::Path => f.write_str("the id of a camera path"),
+            Self::Curve(span) => number("a curve, x:y,x:y,… with x rising and y", span),
+            Self::Metar => f.write_str("a weather report"),
         }
     }
 }
@@ -328,6 +381,10 @@ impl fmt::Display for ParameterValue {
             Self::Whole(whole) => whole.fmt(f),
             Self::Text(text) => text.fmt(f),
             Self::Color([r, g, b]) => write!(f, "{r},{g},{b}"),
+            Self::Curve(points) => points.iter().enumerate().try_for_each(|(i, [x, y])| {
+                let comma = if i == 0 { "" } else { "," };
+                write!(f, "{comma}{x}:{y}")
+            }),
         }
     }
 }

@@ -7,10 +7,11 @@
 use crate::error::{Fault, Said, ScriptError};
 use crate::limits::{EDITS, KEYS};
 use cloudwright_core::arrange::{Arrangement, delete, keys::MOST_S};
-use cloudwright_core::document::{Document, Edit, EditError, ListEdit};
+use cloudwright_core::document::{Change, Document, Edit, EditError, ListEdit};
+use cloudwright_core::problem::{self, Problem, Severity};
 use cloudwright_core::property::{self, Address, Owner, Refusal, Target, Value};
 use cloudwright_core::scene::{Beyond, HasId, IdCounter, KeyValue, List, Scene, Thing, Track, TrackId, TrackKey};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Keys are at one time if they are in the same step, parts of a second.
 const STEPS_A_SECOND: f64 = 1e6;
@@ -64,13 +65,40 @@ impl Recorder {
     }
 
     fn apply(&mut self, edit: Edit) -> Result<(), Said> {
+        self.apply_and_tell(edit).map(|_| ())
+    }
+
+    fn apply_and_tell(&mut self, edit: Edit) -> Result<Change, Said> {
         self.may_write()?;
         if self.edits.len() >= EDITS {
             return Err(Said::limit(format!("the script changes more than {EDITS} things"), "make fewer of them"));
         }
-        self.draft.apply(edit.clone()).map_err(|error| Said::script(error.to_string(), ""))?;
+        let change = self.draft.apply(edit.clone()).map_err(|error| Said::script(error.to_string(), ""))?;
         self.edits.push(edit);
-        Ok(())
+        Ok(change)
+    }
+
+    /// Applies what gives a thing many values at once, and tells the faults of that.
+    pub(crate) fn replace(&mut self, edit: Edit) -> Result<(), Said> {
+        let change = self.apply_and_tell(edit)?;
+        self.faultless(&change)
+    }
+
+    /// That `things`, which are in lists of the scene, have no faults.
+    pub(crate) fn check(&self, things: &[Thing]) -> Result<(), Said> {
+        let mut change = Change::default();
+        for edit in things.iter().filter_map(|thing| Edit::replacing(self.scene(), *thing)) {
+            change.join(edit.change());
+        }
+        self.faultless(&change)
+    }
+
+    fn faultless(&self, change: &Change) -> Result<(), Said> {
+        let problems = problem::check_touched(self.scene(), change);
+        match problems.into_iter().find(|problem| problem.severity == Severity::Error) {
+            None => Ok(()),
+            Some(Problem { place, message, hint, .. }) => Err(Said::script(format!("{place}: {message}"), hint)),
+        }
     }
 
     /// Adds what `make` makes with the next ids.
@@ -174,6 +202,26 @@ impl Recorder {
         Ok(())
     }
 
+    /// Takes the key at that time away, and tells whether there was one.
+    pub(crate) fn remove_key(&mut self, target: &Target, time_s: f64) -> Result<bool, Said> {
+        let step = (time_s * STEPS_A_SECOND).round() as i64;
+        Ok(self.draft_of(target)?.keys.remove(&step).is_some())
+    }
+
+    /// The addresses of all properties that have keys now, in their order.
+    pub(crate) fn keyed(&self) -> BTreeSet<String> {
+        let there = self.scene().tracks.iter().map(|track| track.property.clone());
+        let mut keyed: BTreeSet<String> = there.collect();
+        for (address, draft) in &self.tracks {
+            if draft.keys.is_empty() {
+                keyed.remove(address);
+            } else {
+                keyed.insert(address.clone());
+            }
+        }
+        keyed
+    }
+
     /// Takes all keys of a property away.
     pub(crate) fn clear_keys(&mut self, target: &Target) -> Result<(), Said> {
         self.draft_of(target)?.keys.clear();
@@ -218,6 +266,12 @@ impl Recorder {
         self.tracks.get_mut(&address).ok_or_else(|| Said::script("the track is gone", "report this"))
     }
 
+    /// Has the scene show what was asked for so far, keys included.
+    pub(crate) fn settle(&mut self) -> Result<(), Said> {
+        // Who may not write has gathered none.
+        self.put_keys()
+    }
+
     /// Puts the keys that were gathered into tracks.
     fn put_keys(&mut self) -> Result<(), Said> {
         for (address, Draft { id, before, after, keys }) in std::mem::take(&mut self.tracks) {
@@ -259,6 +313,8 @@ impl Recorder {
         let hint = match owner {
             Owner::Thing(Thing::Cloud(_)) => ids("the clouds", &scene.clouds),
             Owner::Thing(Thing::Camera(_)) => ids("the cameras", &scene.cameras),
+            Owner::Thing(Thing::Path(_)) => ids("the paths", &scene.paths),
+            Owner::Thing(Thing::Aircraft(_)) => ids("the aircraft", &scene.aircraft),
             Owner::Thing(Thing::Model(_) | Thing::Box(..) | Thing::Group(..)) => ids("the models", &scene.models),
             _ => String::new(),
         };

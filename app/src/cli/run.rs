@@ -16,7 +16,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   cloudwright run scatter_clouds -o sky.cloudscene --set count=40 --seed 7
-  cloudwright run diurnal_cycle sky.cloudscene -o day.cloudscene --set length_s=60 --set looped=yes
+  cloudwright run diurnal_cumulus sky.cloudscene -o day.cloudscene --set length_s=60 --set looped=yes
   cloudwright run mine.rhai sky.cloudscene -o out.cloudscene
   cloudwright run sprite_table sky.cloudscene -o sky.xyz --set axes=z_up
 

@@ -37,7 +37,7 @@ fn shipped_ones_make_scenes_that_check() {
         ("run scatter_clouds -o sky.cloudscene --seed 7 --set count=12", "sky.cloudscene"),
         ("run scatter_clouds -o again.cloudscene --seed 7 --set count=12", "again.cloudscene"),
         ("run golden_hour sky.cloudscene -o gold.cloudscene --set light=1.1,1,0.9", "gold.cloudscene"),
-        ("run diurnal_cycle gold.cloudscene -o day.cloudscene --set looped=yes", "day.cloudscene"),
+        ("run diurnal_cumulus gold.cloudscene -o day.cloudscene --set looped=yes", "day.cloudscene"),
     ] {
         let ran = place.run(words);
         assert_eq!(ran.code, 0, "{words}: {}", ran.stderr);
@@ -86,7 +86,7 @@ fn what_there_is_and_what_can_be_set() {
     for name in [
         "scatter_clouds    generator",
         "golden_hour       look",
-        "diurnal_cycle     weather",
+        "diurnal_cumulus     weather",
         "sprite_table      exporter",
     ] {
         assert!(list.stdout.contains(name), "{}", list.stdout);
@@ -94,7 +94,7 @@ fn what_there_is_and_what_can_be_set() {
     let page = place.run("plugins mine.rhai");
     assert!(page.stdout.starts_with("Mine (edit)\nAn hour.\n\n1 parameter:\n"), "{}", page.stdout);
     assert!(page.stdout.contains("hour h: a number from 0 to 23 h; 9 if not given. Which"), "{}", page.stdout);
-    for name in ["scatter_clouds", "golden_hour", "diurnal_cycle"] {
+    for name in ["scatter_clouds", "golden_hour", "diurnal_cumulus"] {
         assert_eq!(place.run(&format!("plugins {name}")).code, 0, "{name}");
     }
 }

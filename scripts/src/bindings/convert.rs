@@ -90,6 +90,45 @@ pub(super) fn of_id(id: u64) -> Result<Dynamic, Said> {
     Ok(Dynamic::from_int(id))
 }
 
+/// A list of places.
+pub(super) fn places(what: &str, value: &Dynamic) -> Result<Vec<[f64; 3]>, Said> {
+    list(what, value)?.iter().map(|place| vector("a place", place)).collect()
+}
+
+pub(super) fn of_places(places: impl IntoIterator<Item = [f64; 3]>) -> Array {
+    places.into_iter().map(of_vector).collect()
+}
+
+/// What the engine hands over as a map, as a map.
+pub(super) fn map(what: &str, value: &Dynamic) -> Result<Map, Said> {
+    value.read_lock::<Map>().map(|map| map.clone()).ok_or_else(|| {
+        Said::script(format!("{what} is {}, where a map is expected", kind(value)), "#{ name: value, … }")
+    })
+}
+
+/// The fields of a thing as in the file, as a map.
+pub(super) fn of_thing<T: serde::Serialize>(thing: &T) -> Result<Dynamic, Said> {
+    serde_json::to_value(thing).map(of_json).map_err(|error| Said::script(error.to_string(), ""))
+}
+
+/// No deeper than the file's own types are.
+fn of_json(json: Json) -> Dynamic {
+    match json {
+        Json::Null => Dynamic::UNIT,
+        Json::Bool(flag) => flag.into(),
+        Json::Number(number) => match number.as_i64().filter(|_| !number.is_f64()) {
+            Some(whole) => whole.into(),
+            None => number.as_f64().unwrap_or_default().into(),
+        },
+        Json::String(text) => text.into(),
+        Json::Array(list) => Dynamic::from_array(list.into_iter().map(of_json).collect()),
+        Json::Object(fields) => {
+            let fields = fields.into_iter().map(|(name, value)| (name.into(), of_json(value)));
+            Dynamic::from_map(fields.collect())
+        }
+    }
+}
+
 /// A property's value, for the script.
 pub(super) fn of_value(property: &Property, value: &Value) -> Result<Dynamic, Said> {
     Ok(match value {

@@ -3,22 +3,20 @@
 //! Sprites are placed once a run, which changes nothing; the time that takes is the scene's and not the script's.
 
 use super::convert::{kind, list, number, text};
+use super::placed::Placed;
 use super::{Answer, Shared, Usage};
 use crate::error::{Said, did_you_mean};
-use crate::limits::{EXPORTED_BYTES, Hears, Patience, TimeOf};
+use crate::limits::{EXPORTED_BYTES, Hears, Patience};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::document::Change;
 use cloudwright_core::scene::Scene;
 use cloudwright_core::sprites::Sprite;
-use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::{CloudNow, WeatherRules};
 use rhai::{Array, Dynamic, Engine, Map};
 use std::borrow::Cow;
-use std::cell::{Cell, OnceCell};
+use std::cell::Cell;
 use std::fmt::Write;
 use std::rc::Rc;
-use std::sync::Arc;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 pub(super) const USAGE: &[Usage] = &[(
     "sprite_table",
@@ -35,10 +33,7 @@ const SPRITES_A_LOOK: usize = 1024;
 
 /// What an exporter's run has made so far.
 pub(crate) struct Exported {
-    patience: Patience,
-    hears: Hears,
-    placed: OnceCell<Derived>,
-    unasked: Cell<Duration>,
+    placed: Rc<Placed>,
     bytes: Cell<usize>,
 }
 
@@ -48,36 +43,25 @@ struct Text(Rc<str>);
 
 impl Exported {
     pub(crate) fn new(patience: &Patience, hears: Hears) -> Self {
-        let patience = patience.clone();
-        Self { patience, hears, placed: OnceCell::new(), unasked: Cell::default(), bytes: Cell::default() }
+        Self { placed: Rc::new(Placed::new(patience, Some(hears))), bytes: Cell::default() }
+    }
+
+    /// The sprites that it writes.
+    pub(super) fn placed(&self) -> &Rc<Placed> {
+        &self.placed
     }
 
     /// How long placing sprites took.
     pub(crate) fn unasked(&self) -> Duration {
-        self.unasked.get()
-    }
-
-    fn look(&self) -> Result<(), Said> {
-        self.patience.ended_now(self.unasked()).map_or(Ok(()), |ended| Err(ended.into()))
-    }
-
-    fn placed(&self, scene: &Scene) -> Result<&Derived, Said> {
-        if self.placed.get().is_none() {
-            (self.hears)(TimeOf::Scene);
-            let start = Instant::now();
-            let watch = Watch::cancelled_by(Arc::clone(&self.patience.cancelled));
-            let nothing = Derived::default();
-            let placed = nothing.plan(scene, &Change::everything()).carry_out(&watch);
-            self.unasked.set(start.elapsed());
-            (self.hears)(TimeOf::Script);
-            let Some(placed) = placed else { return Err(crate::limits::Ended::Cancelled.into()) };
-            let _ = self.placed.set(placed);
-        }
-        self.placed.get().ok_or_else(|| Said::script("the sprites are gone", "report this"))
+        self.placed.took()
     }
 
     fn table(&self, scene: &Scene, table: &Table) -> Result<Text, Said> {
-        let clouds = self.placed(scene)?.clouds_at(table.at_s, WeatherRules::default());
+        self.placed.tell(scene, |derived| self.table_of(derived, table))
+    }
+
+    fn table_of(&self, derived: &Derived, table: &Table) -> Result<Text, Said> {
+        let clouds = derived.clouds_at(table.at_s, WeatherRules::default());
         let mut text = String::new();
         if table.head {
             let names: Vec<String> = table.columns.iter().map(|column| column.name()).collect();
@@ -87,7 +71,7 @@ impl Exported {
         for cloud in &clouds {
             for index in 0..cloud.placed.sprites.len() {
                 if seen.is_multiple_of(SPRITES_A_LOOK) {
-                    self.look()?;
+                    self.placed.look(self.unasked())?;
                 }
                 seen += 1;
                 table.row(cloud, &cloud.sprite_now(index), &mut text);

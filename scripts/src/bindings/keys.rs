@@ -2,7 +2,7 @@
 
 use super::convert::{filled, number, text, vector};
 use super::scene::said;
-use super::{Shared, Usage, answer};
+use super::{Answer, Shared, Usage, answer};
 use crate::error::{Said, did_you_mean};
 use crate::limits::LIST_ITEMS;
 use crate::recorder::Recorder;
@@ -27,6 +27,8 @@ pub(super) const USAGE: &[Usage] = &[
         "keys(\"sky/exposure_ev\")",
         "The property's keys by time, as maps: time_s, value, leaves, and turns and handles where they are set.",
     ),
+    ("keyed", "keyed()", "The addresses of all properties that have keys."),
+    ("remove_key", "remove_key(\"sky/exposure_ev\", 20.0)", "Takes the key at that second away, if there is one."),
     ("clear_keys", "clear_keys(\"sky/exposure_ev\")", "Takes all keys of the property away."),
 ];
 
@@ -120,6 +122,13 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     });
     let own = Rc::clone(recorder);
     engine.register_fn("keys", move |address: ImmutableString| answer(keys(&own.borrow(), &address)));
+    let own = Rc::clone(recorder);
+    engine.register_fn("keyed", move || -> Array { own.borrow().keyed().into_iter().map(Dynamic::from).collect() });
+    let own = Rc::clone(recorder);
+    engine.register_fn("remove_key", move |address: ImmutableString, time_s: Dynamic| -> Answer<bool> {
+        let time_s = number("the key's time", &time_s)?;
+        answer(target(&address).and_then(|target| own.borrow_mut().remove_key(&target, time_s)))
+    });
     let own = Rc::clone(recorder);
     engine.register_fn("clear_keys", move |address: ImmutableString| {
         answer(target(&address).and_then(|target| own.borrow_mut().clear_keys(&target)))

@@ -7,21 +7,29 @@
 mod arrange;
 mod convert;
 mod export;
+mod geometry;
 mod keys;
 mod maths;
+mod measured;
 mod noise;
 mod parameters;
+mod paths;
+mod placed;
 mod places;
 mod random;
 mod scene;
+mod sprites;
 mod things;
+mod whole;
 
 pub(crate) use export::{Exported, whole_text};
 pub(crate) use parameters::Parameters;
 
 use crate::error::Said;
+use crate::limits::Patience;
 use crate::recorder::Recorder;
 use cloudwright_core::scene::Thing;
+use placed::Placed;
 use rhai::{Engine, EvalAltResult};
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -39,25 +47,40 @@ pub const SUBJECTS: &[(&str, &[Usage])] = &[
     ("The scene", scene::USAGE),
     ("Things", things::USAGE),
     ("Many things at once", arrange::USAGE),
+    ("Single sprites", sprites::USAGE),
+    ("Camera paths", paths::USAGE),
+    ("Measures", measured::USAGE),
     ("Keys", keys::USAGE),
     ("Files", export::USAGE),
     ("Random numbers", random::USAGE),
     ("Noise", noise::USAGE),
     ("Places", places::USAGE),
+    ("Directions and curves", geometry::USAGE),
     ("Numbers and vectors", maths::USAGE),
 ];
 
 /// `selected` are what the script finds selected; `exported` is there for an exporter.
-pub(crate) fn register(engine: &mut Engine, recorder: &Shared, selected: &[Thing], exported: Option<&Rc<Exported>>) {
+pub(crate) fn register(
+    engine: &mut Engine,
+    recorder: &Shared,
+    selected: &[Thing],
+    exported: Option<&Rc<Exported>>,
+    patience: &Patience,
+) {
+    let placed = exported.map_or_else(|| Rc::new(Placed::new(patience, None)), |exported| Rc::clone(exported.placed()));
     parameters::register(engine);
     scene::register(engine, recorder);
     things::register(engine, recorder);
     arrange::register(engine, recorder, selected);
+    sprites::register(engine, recorder, &placed);
+    paths::register(engine, recorder);
+    measured::register(engine, recorder, &placed);
     keys::register(engine, recorder);
     export::register(engine, recorder, exported);
     random::register(engine);
     noise::register(engine);
     places::register(engine);
+    geometry::register(engine);
     maths::register(engine);
 }
 
@@ -82,7 +105,7 @@ mod tests {
     #[test]
     fn every_function_has_its_usage() {
         let mut engine = Engine::new_raw();
-        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))), &[], None);
+        register(&mut engine, &Rc::new(RefCell::new(Recorder::new(&Scene::default()))), &[], None, &Patience::usual());
         let signatures = engine.gen_fn_signatures(false);
         let name = |signature: &str| signature.split('(').next().unwrap_or_default().trim().to_owned();
         let registered: BTreeSet<String> =

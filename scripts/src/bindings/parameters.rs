@@ -23,6 +23,10 @@ impl Parameters {
             Some(ParameterValue::Whole(whole)) => Dynamic::from_int(*whole),
             Some(ParameterValue::Text(text)) => text.into(),
             Some(ParameterValue::Color(channels)) => super::convert::of_vector(*channels),
+            Some(ParameterValue::Curve(points)) => {
+                let point = |point: &[f64; 2]| Dynamic::from_array(point.map(Dynamic::from_float).to_vec());
+                Dynamic::from_array(points.iter().map(point).collect())
+            }
             None => {
                 let hint = did_you_mean(name, values.keys().map(String::as_str));
                 return Err(Said::script(format!("PLUGIN has no parameter `{name}`"), hint).into());

@@ -5,7 +5,7 @@ use super::{Answer, Shared, Usage, answer};
 use crate::error::Said;
 use crate::recorder::Recorder;
 use cloudwright_core::property::{Address, NoSuchProperty, Owner, Parts};
-use cloudwright_core::scene::{HasId, List, ModelId, Scene};
+use cloudwright_core::scene::{CloudModel, HasId, List, ModelId, Scene};
 use rhai::{Array, Dynamic, Engine, ImmutableString};
 use std::rc::Rc;
 
@@ -17,6 +17,8 @@ pub(super) const USAGE: &[Usage] = &[
     ("models", "models()", "The ids of all cloud models."),
     ("cameras", "cameras()", "The ids of all cameras."),
     ("paths", "paths()", "The ids of all camera paths."),
+    ("aircraft", "aircraft()", "The ids of all aircraft."),
+    ("groups", "groups(model)", "The ids of a model's shading groups."),
     ("boxes", "boxes(model)", "The ids of a model's boxes."),
     ("boxes_of", "boxes_of(cloud)", "The ids of the boxes of a cloud's model."),
 ];
@@ -62,11 +64,14 @@ fn ids<T: HasId>(list: &List<T>) -> Answer<Array> {
     answer(list.iter().map(|each| convert::of_id(each.id().into())).collect())
 }
 
-fn boxes(scene: &Scene, model: u64) -> Answer<Array> {
-    match scene.model(ModelId(model)) {
-        Some(model) => ids(&model.boxes),
-        None => Err(Said::script(format!("model/{model}: the scene has none"), "models() lists them").into()),
-    }
+fn model(scene: &Scene, id: u64) -> Result<&CloudModel, Said> {
+    scene
+        .model(ModelId(id))
+        .ok_or_else(|| Said::script(format!("model/{id}: the scene has none"), "models() lists them"))
+}
+
+fn boxes(scene: &Scene, id: u64) -> Answer<Array> {
+    ids(&model(scene, id)?.boxes)
 }
 
 pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
@@ -89,6 +94,12 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     engine.register_fn("cameras", move || ids(&own.borrow().scene().cameras));
     let own = with();
     engine.register_fn("paths", move || ids(&own.borrow().scene().paths));
+    let own = with();
+    engine.register_fn("aircraft", move || ids(&own.borrow().scene().aircraft));
+    let own = with();
+    engine.register_fn("groups", move |of: Dynamic| -> Answer<Array> {
+        ids(&model(own.borrow().scene(), convert::count("the model", &of)?)?.groups)
+    });
     let own = with();
     engine
         .register_fn("boxes", move |model: Dynamic| boxes(own.borrow().scene(), convert::count("the model", &model)?));

@@ -1,16 +1,18 @@
 //! Things to add, as maps by the file format's names, and to remove. What a map leaves out is as in the editor's new one.
 
-use super::convert::{count, filled, of_id};
+use super::convert::{count, filled, map, of_id, vector};
 use super::scene::said;
-use super::{Shared, Usage, answer};
-use crate::error::Said;
+use super::{Answer, Shared, Usage, answer, whole};
+use crate::error::{Said, did_you_mean};
 use crate::recorder::Recorder;
-use cloudwright_core::document::Edit;
+use cloudwright_core::arrange::Arrangement;
+use cloudwright_core::document::{Edit, ListEdit};
+use cloudwright_core::preset::Preset;
 use cloudwright_core::problem::{self, Problem};
 use cloudwright_core::property::{Described, Owner};
 use cloudwright_core::scene::{
-    BoxId, Camera, CameraId, Category, Cloud, CloudBox, CloudId, CloudModel, GroupId, IdCounter, ModelId, ShadingGroup,
-    Thing,
+    Aircraft, AircraftId, BoxId, Camera, CameraId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, GroupId,
+    IdCounter, ModelId, PathId, ShadingGroup, Thing,
 };
 use glam::DVec3;
 use rhai::{Array, Dynamic, Engine, ImmutableString, Map};
@@ -30,21 +32,35 @@ pub(super) const USAGE: &[Usage] = &[
         "add_group(model, #{ name: \"top\" })",
         "Adds a shading group to a model; its id is for boxes' `group`.",
     ),
-    ("remove", "remove(\"cloud/7\")", "Takes a thing out with all that hangs on it."),
+    (
+        "add_path",
+        "add_path(#{ name: \"over\", keys: [#{ time_s: 0, position: […], heading_deg: 0, pitch_deg: 0 }] })",
+        "Adds a camera path, its keys in order of time; gives its id.",
+    ),
+    ("add_aircraft", "add_aircraft(#{ path: path, ahead_s: 4 })", "Adds an aircraft to a path; gives its id."),
+    (
+        "add_preset",
+        "add_preset(\"cumulus_humilis\", [0, 900, 0])",
+        "Adds a ready-made cloud with its model; gives the cloud's id.",
+    ),
+    (
+        "add_preset_model",
+        "add_preset_model(\"cumulus_humilis\")",
+        "Adds the model of a ready-made cloud alone; gives the model's id.",
+    ),
+    ("fields", "fields(\"path/3\")", "All that the file says of a thing, of sky, weather, place or ground, as a map."),
+    (
+        "change",
+        "change(\"path/3\", #{ keys: […] })",
+        "Gives it other fields, whole lists and tables too; of `ground`, adds one where there is none.",
+    ),
+    ("remove", "remove(\"cloud/7\")", "Takes a thing out with all that hangs on it; or the ground."),
 ];
 
-const IDS: (&str, &str) = ("id", "ids are given by the scene");
-
-/// What the engine hands over as a map, as a map.
-fn map(what: &str, value: &Dynamic) -> Result<Map, Said> {
-    value.read_lock::<Map>().map(|map| map.clone()).ok_or_else(|| {
-        let message = format!("{what} is {}, where a map is expected", super::convert::kind(value));
-        Said::script(message, "#{ name: value, … }")
-    })
-}
+pub(super) const IDS: (&str, &str) = ("id", "ids are given by the scene");
 
 /// `problems` as what the script must hear, where there are any; the rest of them would mostly be the same again.
-fn none_of(problems: Vec<Problem>) -> Result<(), Said> {
+pub(super) fn none_of(problems: Vec<Problem>) -> Result<(), Said> {
     match problems.into_iter().next() {
         None => Ok(()),
         Some(Problem { place, message, hint, .. }) => Err(Said::script(format!("{place}: {message}"), hint)),
@@ -123,8 +139,63 @@ fn add_group(recorder: &mut Recorder, model: &Dynamic, fields: &Map) -> Result<u
     recorder.add(make, |edit| Edit::Group(model, edit))
 }
 
+fn add_path(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
+    let make = |counter: &mut IdCounter| {
+        let usual = CameraPath::new(PathId::new(counter), "path", Vec::new());
+        sound(Thing::Path(usual.id), "path", filled("path", &usual, fields, &[IDS])?)
+    };
+    let id = recorder.add(make, Edit::Path)?;
+    recorder.check(&[Thing::Path(PathId(id))])?;
+    Ok(id)
+}
+
+fn add_aircraft(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
+    let path =
+        fields.get("path").ok_or_else(|| Said::script("aircraft: it lacks `path`", "the id of a camera path"))?;
+    let path = PathId(count("aircraft.path", path)?);
+    recorder.need(Thing::Path(path))?;
+    let make = |counter: &mut IdCounter| {
+        let usual = Aircraft::new(AircraftId::new(counter), "aircraft", path);
+        sound(Thing::Aircraft(usual.id), "aircraft", filled("aircraft", &usual, fields, &[IDS])?)
+    };
+    let id = recorder.add(make, Edit::Aircraft)?;
+    recorder.check(&[Thing::Aircraft(AircraftId(id))])?;
+    Ok(id)
+}
+
+fn preset(name: &str) -> Result<&'static Preset, Said> {
+    Preset::by_name(name).ok_or_else(|| {
+        let names: Vec<&str> = Preset::ALL.iter().map(|preset| preset.name).collect();
+        let near = did_you_mean(name, names.iter().copied());
+        let hint = if near.is_empty() { format!("there are {}", names.join(", ")) } else { near };
+        Said::script(format!("there is no ready-made cloud “{name}”"), hint)
+    })
+}
+
+fn add_preset(recorder: &mut Recorder, name: &str, at: [f64; 3]) -> Result<u64, Said> {
+    let preset = preset(name)?;
+    let (mut edits, id) = preset.place(recorder.scene(), DVec3::from(at));
+    // Out of reach, or no place at all: told here, it has its line.
+    if let Some(Edit::Cloud(ListEdit::Insert { value, .. })) = edits.last_mut() {
+        *value = sound(Thing::Cloud(id), "cloud", value.clone())?;
+    }
+    recorder.arrange(|_| Arrangement { edits, made: Vec::new() })?;
+    Ok(id.0)
+}
+
+fn add_preset_model(recorder: &mut Recorder, name: &str) -> Result<u64, Said> {
+    let (mut edits, id) = preset(name)?.place(recorder.scene(), DVec3::ZERO);
+    let Some(Edit::Cloud(ListEdit::Insert { value, .. })) = edits.pop() else {
+        return Err(Said::script("the ready-made cloud has no model", "report this"));
+    };
+    debug_assert_eq!(value.id, id);
+    recorder.arrange(|_| Arrangement { edits, made: Vec::new() })?;
+    Ok(value.model.0)
+}
+
 fn remove(recorder: &mut Recorder, address: &str) -> Result<(), Said> {
     match address.parse().map_err(said)? {
+        Owner::Ground => recorder.replace(Edit::Ground(None)),
         Owner::Thing(thing) => recorder.remove(thing),
         owner => Err(Said::script(format!("{owner} is no thing that can be removed"), "cloud/7, model/3, camera/1")),
     }
@@ -148,6 +219,27 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     let own = Rc::clone(recorder);
     engine.register_fn("add_group", move |model: Dynamic, fields: Map| {
         answer(add_group(&mut own.borrow_mut(), &model, &fields).and_then(of_id))
+    });
+    let own = Rc::clone(recorder);
+    engine.register_fn("add_path", move |fields: Map| answer(add_path(&mut own.borrow_mut(), &fields).and_then(of_id)));
+    let own = Rc::clone(recorder);
+    engine.register_fn("add_aircraft", move |fields: Map| {
+        answer(add_aircraft(&mut own.borrow_mut(), &fields).and_then(of_id))
+    });
+    let own = Rc::clone(recorder);
+    engine.register_fn("add_preset", move |name: ImmutableString, at: Dynamic| -> Answer<Dynamic> {
+        let at = vector("the place", &at)?;
+        answer(add_preset(&mut own.borrow_mut(), &name, at).and_then(of_id))
+    });
+    let own = Rc::clone(recorder);
+    engine.register_fn("add_preset_model", move |name: ImmutableString| {
+        answer(add_preset_model(&mut own.borrow_mut(), &name).and_then(of_id))
+    });
+    let own = Rc::clone(recorder);
+    engine.register_fn("fields", move |address: ImmutableString| answer(whole::fields(&own.borrow(), &address)));
+    let own = Rc::clone(recorder);
+    engine.register_fn("change", move |address: ImmutableString, fields: Map| {
+        answer(whole::change(&mut own.borrow_mut(), &address, &fields))
     });
     let own = Rc::clone(recorder);
     engine.register_fn("remove", move |address: ImmutableString| answer(remove(&mut own.borrow_mut(), &address)));

@@ -5,6 +5,7 @@
 mod dice;
 mod hostile;
 mod plugins;
+mod reach;
 mod reading;
 
 use cloudwright_core::preset::Preset;
