@@ -84,9 +84,9 @@ const APP: [&[&str]; 9] = [
     &["widget"],
     &["state"],
     &["saving"],
-    &["opening", "signals"],
+    &["opening", "plugins", "signals"],
     &["chart", "command", "storage", "thumbnail"],
-    &["picture_png", "renderer", "theme", "units", "visible", "worker"],
+    &["picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
 ];
 
 /// The rooms of core from above, in the same way.
