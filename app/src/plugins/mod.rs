@@ -178,7 +178,7 @@ mod tests {
         let put = |name: &str, text: &[u8]| std::fs::write(home.path().join(name), text).expect("writable");
         let scatter = SHIPPED.iter().find(|shipped| shipped.name == "scatter_clouds").expect("it ships");
         put("scatter_clouds.rhai", scatter.source.as_bytes());
-        put("broken.rhai", b"const PLUGIN = #{\n  name: 7 };");
+        put("broken.rhai", b"const PLUGIN = #{ kind: \"edit\",\n  name: 7 };");
         put("bytes.rhai", b"\xff\xfe");
         put("large.rhai", &vec![b' '; FILE_BYTES + 1]);
         put("notes.txt", b"no plugin");

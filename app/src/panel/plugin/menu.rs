@@ -61,7 +61,7 @@ fn broken(ui: &mut Ui, library: &Library, actions: &mut Vec<Action>) {
         let button = ui.add(Button::new((warning, name.as_str())).min_size([ui.available_width(), 0.0].into()));
         name_it(ui, &button, &name);
         let error = visible::one_line(&error.to_string());
-        ui.add(Label::new(RichText::new(error).small().weak()).wrap());
+        ui.add(Label::new(RichText::new(error).weak()).wrap());
         if button.on_hover_text(visible::one_line(&origin.to_string())).clicked() {
             actions.push(Action::Plugin(Origin::clone(origin)));
         }
