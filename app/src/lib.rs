@@ -2,8 +2,8 @@
 //!
 //! The only place with a window, files and a clock. [`cli`] is one file a subcommand; [`editor`] is the window's frame
 //! in order, above its panels and viewport, which share what is in [`state`]; [`storage`] is the only file access,
-//! [`opening`] and [`saving`] what both make of a scene file; [`scripting`] has plugins do what they do; [`chart`] turns
-//! measured methods into a page to read; `renderer` chooses between GPU and CPU.
+//! [`opening`] and [`saving`] what both make of a scene file; [`plugins`] which plugins there are, and [`scripting`] has
+//! them do what they do; [`chart`] turns measured methods into a page to read; `renderer` chooses between GPU and CPU.
 
 pub mod chart;
 pub mod cli;
@@ -12,6 +12,7 @@ pub mod editor;
 pub mod opening;
 mod panel;
 mod picture_png;
+pub mod plugins;
 pub mod renderer;
 pub mod reports;
 pub mod saving;

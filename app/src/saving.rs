@@ -18,6 +18,20 @@ pub enum SaveError {
     /// The file can't be written.
     #[error(transparent)]
     Storage(#[from] StorageError),
+    /// What a scene is read from would be lost.
+    #[error("{}: that is {what} (choose another name; it would be lost)", path.display())]
+    InUse {
+        /// Which file.
+        path: PathBuf,
+        /// What of the scene lies there.
+        what: String,
+    },
+    /// What is no scene has the ending of one.
+    #[error("{}: an exporter writes no scene (end its name otherwise)", path.display())]
+    NoScene {
+        /// The name that was given.
+        path: PathBuf,
+    },
     /// A file of a name that the scene's own atlas or model has.
     #[error("{}: is another file than the scene's {what}, which would be copied there", path.display())]
     Another {
@@ -68,6 +82,32 @@ pub fn save(scene: &Scene, from: Option<&Path>, path: &Path, over: Over) -> Resu
             Err(error)
         }
     }
+}
+
+/// Writes what an exporter made of `scene`, whose file is `from`, all or nothing.
+///
+/// # Errors
+/// If it can't be written, has the name of a scene, or would replace a file that the scene is read from.
+pub fn export(text: &str, scene: &Scene, from: Option<&Path>, path: &Path, over: Over) -> Result<(), SaveError> {
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(scene_file::EXTENSION)) {
+        return Err(SaveError::NoScene { path: path.into() });
+    }
+    if let Some(what) = from.and_then(|from| in_use(scene, from, path)) {
+        return Err(SaveError::InUse { path: path.into(), what });
+    }
+    storage::write_over(path, text.as_bytes(), over)?;
+    Ok(())
+}
+
+/// Which of the files that are read, the scene's `file` and what it names, lies at `path`, by whatever name.
+pub(crate) fn in_use(scene: &Scene, file: &Path, path: &Path) -> Option<String> {
+    let there = FileId::of(path)?;
+    let is_there = |input: &Path| FileId::of(input).as_ref() == Some(&there);
+    if is_there(file) {
+        return Some("the scene itself".into());
+    }
+    let named = opening::named(scene).into_iter().find(|named| is_there(&file.with_file_name(&named.name)))?;
+    Some(format!("the scene's {}, {}", named.what, named.name))
 }
 
 /// What `scene` names beside the file `from` and would miss beside `path`.

@@ -3,9 +3,8 @@
 use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::say;
-use crate::opening;
 use crate::saving::{self, SaveError};
-use crate::storage::{self, FileId, Over, StorageError};
+use crate::storage::{self, Over, StorageError};
 use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::scene::{Camera, CameraPath, Scene};
 use std::path::Path;
@@ -59,17 +58,11 @@ pub(super) fn check_output(scene: &Scene, file: &Path, output: &Path) -> Result<
 
 /// That `output` is none of the files that are read, by whatever name.
 pub(super) fn spare_inputs(scene: &Scene, file: &Path, output: &Path) -> Result<(), Failure> {
-    let Some(there) = FileId::of(output) else { return Ok(()) };
-    let is_there = |input: &Path| FileId::of(input).as_ref() == Some(&there);
-    let refuse = |what: &str| {
-        let what = format!("--output {}: that is the scene{what}", output.display());
-        Err(Failure::argument(what, "choose another name; it would be lost"))
-    };
-    if is_there(file) {
-        return refuse(" itself");
-    }
-    match opening::named(scene).iter().find(|named| is_there(&file.with_file_name(&named.name))) {
-        Some(named) => refuse(&format!("'s {}, {}", named.what, named.name)),
+    match saving::in_use(scene, file, output) {
+        Some(what) => {
+            let what = format!("--output {}: that is {what}", output.display());
+            Err(Failure::argument(what, "choose another name; it would be lost"))
+        }
         None => Ok(()),
     }
 }
@@ -103,5 +96,8 @@ pub(super) fn save_failure(error: SaveError) -> Failure {
         SaveError::Storage(error) => error.into(),
         error @ SaveError::Text(_) => Failure::could_not(error.to_string(), "report this"),
         error @ SaveError::Another { .. } => Failure::argument(error.to_string(), "choose another folder"),
+        error @ (SaveError::InUse { .. } | SaveError::NoScene { .. }) => {
+            Failure::argument(error.to_string(), "choose another name")
+        }
     }
 }

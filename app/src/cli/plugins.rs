@@ -4,11 +4,13 @@ use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::run::{failure, is_file};
 use super::{answer, counted};
-use crate::storage;
-use cloudwright_scripts::shipped::{self, SHIPPED};
+use crate::plugins::{Entry, Library, Origin, ReadError};
+use crate::storage::Folders;
+use crate::visible;
 use cloudwright_scripts::{Parameter, ParameterKind, Plugin};
 use std::fmt::Write;
 use std::path::Path;
+use std::sync::Arc;
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -16,57 +18,80 @@ use std::path::Path;
   cloudwright plugins scatter_clouds
   cloudwright plugins mine.rhai
 
-What a plugin says of itself is read from its text; nothing of it runs.")]
+The user's own lie in the folder `plugins` beside the settings, which the editor opens by Open plugin folder. Where one
+of them has the name of one that ships, the name means that one; give the file instead. What a plugin says of itself is
+read from its text; nothing of it runs.")]
 pub(super) struct Arguments {
     /// Plugin to describe, by its name or as a file, NAME.rhai; all of them in short if not given
     #[arg(value_name = "PLUGIN")]
     plugin: Option<String>,
 }
 
-/// Larger files are no scripts; of smaller ones the scripts' own limit tells.
-const FILE_BYTES: usize = 1 << 20;
-
 /// A plugin and where it is from.
 pub(super) struct Found {
     /// Its file, or its name.
     pub(super) from: String,
-    pub(super) plugin: Plugin,
+    pub(super) plugin: Arc<Plugin>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     match &arguments.plugin {
         Some(word) => answer(&page(&find(word)?)),
-        None => answer(&list()?),
+        None => answer(&list()),
     }
 }
 
-/// The plugin that `word` names.
+/// The plugin that `word` names: a file, or one of the library.
 pub(super) fn find(word: &str) -> Result<Found, Failure> {
-    let source = if is_file(word) {
-        let bytes = storage::read(Path::new(word), FILE_BYTES)?;
-        String::from_utf8(bytes)
-            .map_err(|_| Failure::argument(format!("{word}: this is no text"), "a plugin is a text in UTF-8"))?
-    } else {
-        let Some(shipped) = shipped::named(word) else {
-            let names: Vec<&str> = SHIPPED.iter().map(|shipped| shipped.name).collect();
+    if is_file(word) {
+        return found(word.into(), Entry::of_file(Path::new(word)).read);
+    }
+    let library = library();
+    match library.into_named(word) {
+        Ok(Entry { origin: Origin::File(path), read }) => found(path.display().to_string(), read),
+        Ok(Entry { read, .. }) => found(word.into(), read),
+        Err(library) => {
+            let names: Vec<String> = library.entries().iter().map(|entry| entry.origin.name()).collect();
+            let names: Vec<&str> = names.iter().map(String::as_str).collect();
             let hint =
                 format!("{}the plugins are {}, or a file NAME.rhai", did_you_mean(word, &names), names.join(", "));
-            return Err(Failure::argument(format!("there is no plugin “{word}”"), hint));
-        };
-        shipped.source.into()
-    };
-    let plugin = Plugin::read(&source).map_err(|error| failure(word, &error))?;
-    Ok(Found { from: word.into(), plugin })
+            Err(Failure::argument(format!("there is no plugin “{word}”"), hint))
+        }
+    }
 }
 
-fn list() -> Result<String, Failure> {
-    let mut text = String::new();
-    for shipped in SHIPPED {
-        let Found { plugin, .. } = find(shipped.name)?;
-        let _ =
-            writeln!(text, "{:<18}{:<11}{}", shipped.name, plugin.description.kind.name(), plugin.description.sentence);
+fn found(from: String, read: Result<Arc<Plugin>, ReadError>) -> Result<Found, Failure> {
+    match read {
+        Ok(plugin) => Ok(Found { from, plugin }),
+        Err(ReadError::Script(error)) => Err(failure(&from, &error)),
+        Err(ReadError::Storage(error)) => Err(error.into()),
+        Err(ReadError::NoText) => {
+            Err(Failure::argument(format!("{from}: this is no text"), "a plugin is a text in UTF-8"))
+        }
     }
-    Ok(text)
+}
+
+/// All that ship, and those in the user's folder.
+fn library() -> Library {
+    Library::read(Folders::of_user().map(|folders| folders.plugins()).as_deref())
+}
+
+/// A line each; those of the user's folder under its name, a broken one with what is wrong.
+fn list() -> String {
+    let mut text = String::new();
+    let mut are_theirs = false;
+    for Entry { origin, read } in library().entries() {
+        if let (Origin::File(path), false) = (origin, are_theirs) {
+            are_theirs = true;
+            let _ = writeln!(text, "\nin {}:", path.parent().unwrap_or(path).display());
+        }
+        let (kind, words) = match read {
+            Ok(plugin) => (plugin.description.kind.name(), plugin.description.sentence.clone()),
+            Err(error) => ("broken", error.to_string()),
+        };
+        let _ = writeln!(text, "{:<18}{kind:<11}{words}", origin.name());
+    }
+    as_seen(&text)
 }
 
 fn page(found: &Found) -> String {
@@ -80,8 +105,12 @@ fn page(found: &Found) -> String {
     for parameter in &description.parameters {
         let _ = writeln!(text, "  {:<16}{}", parameter.name, meaning(parameter));
     }
-    // Whatever a script says of itself is shown as one can see it, line by line.
-    text.lines().map(|line| crate::visible::one_line(line) + "\n").collect()
+    as_seen(&text)
+}
+
+/// Whatever a script says of itself is shown as one can see it, line by line.
+fn as_seen(text: &str) -> String {
+    text.lines().map(|line| visible::one_line(line) + "\n").collect()
 }
 
 fn meaning(parameter: &Parameter) -> String {

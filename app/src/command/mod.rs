@@ -30,13 +30,15 @@ pub enum Menu {
     Flight,
     /// Keys of tracks, and what the clock plays of them.
     Keys,
+    /// What scripts do.
+    Plugins,
     /// Panels.
     Window,
 }
 
 impl Menu {
     /// All, in the order of the menu bar.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 10] = [
         Self::File,
         Self::Edit,
         Self::Add,
@@ -45,6 +47,7 @@ impl Menu {
         Self::Tool,
         Self::Flight,
         Self::Keys,
+        Self::Plugins,
         Self::Window,
     ];
 
@@ -59,6 +62,7 @@ impl Menu {
             Self::Tool => "Tool",
             Self::Flight => "Flight",
             Self::Keys => "Keys",
+            Self::Plugins => "Plugins",
             Self::Window => "Window",
         }
     }
@@ -241,6 +245,10 @@ commands! {
         ClearMarks: "No marks", "Let the clock play all through.", NONE, None;
         CurveView: "Curves", "Show the curves of the chosen tracks in the timeline, or its rows of keys.", NONE, Some(icon::CHART_LINE);
         FitTimeline: "Fit timeline", "Bring the chosen keys into sight, or all: over the timeline, F.", NONE, Some(icon::ARROWS_LEFT_RIGHT);
+    }
+    Plugins {
+        RunAgain: "Run again…", "Ask what is to be chosen of the plugin that was run last, and run it once more.", NONE, Some(icon::REPEAT);
+        OpenPluginFolder: "Open plugin folder", "Show the folder in which plugins of your own lie.", NONE, None;
     }
     Window {
         OutlinePanel: "Outline", "Show the panel of models, clouds and cameras.", NONE, Some(icon::TREE_STRUCTURE);

@@ -18,7 +18,7 @@ pub(super) struct Disk {
     pub(super) rescue_writer: Option<RescueWriter>,
     /// What it was given last, as long as the document is modified.
     pub(super) kept: Option<Unsaved>,
-    pub(super) watcher: Option<Watcher>,
+    pub(super) watcher: Option<Watcher<Stamp>>,
     /// The document's file as it was last read or written here; none if there is none.
     pub(super) known: Option<Stamp>,
     /// Of the window, points.
@@ -42,7 +42,7 @@ impl Disk {
             saving: false,
             rescue_writer,
             kept: None,
-            watcher: Watcher::start(move || for_watcher.request_repaint()).ok(),
+            watcher: Watcher::start(Stamp::of, move || for_watcher.request_repaint()).ok(),
             known: None,
             window_size: None,
         };
@@ -84,6 +84,9 @@ impl Editor {
                 Done::Saved { path, mark, outcome } => self.saved(path, mark, outcome, context),
                 Done::Remembered(Err(error)) => self.tell_error(format!("The settings can't be kept: {error}")),
                 Done::Remembered(Ok(())) => {}
+                Done::Exported { path, lines, outcome } => self.exported(&path, lines, outcome),
+                Done::FolderShown(Err(error)) => self.tell_error(error.to_string()),
+                Done::FolderShown(Ok(())) => {}
                 Done::Recent(scenes) => self.dialogs.open(Dialog::Recent(scenes)),
             }
         }

@@ -13,6 +13,14 @@ pub(super) enum Done {
         outcome: Result<Saved, SaveError>,
     },
     Remembered(Result<(), StorageError>),
+    /// What an exporter made was written, or was not.
+    Exported {
+        path: PathBuf,
+        lines: usize,
+        outcome: Result<(), SaveError>,
+    },
+    /// A folder was shown in the file manager, or could not be.
+    FolderShown(Result<(), StorageError>),
     /// The last scenes, and whether each is still there.
     Recent(Vec<(PathBuf, bool)>),
 }

@@ -81,6 +81,7 @@ impl Editor {
             self.layout.offer(Panel::Timeline);
         }
         self.session = session;
+        self.plugins.leave();
         self.disk.known = known;
         self.time_play.leave();
         self.clock.begin_anew();
@@ -113,6 +114,7 @@ impl Editor {
             // Something may have been changed while the dialog was open, so the question comes after it.
             Ask::Open => self.want(Intent::OpenFile(path), context),
             Ask::Save(_) => self.save_under(&path, asked_already, context),
+            Ask::Export(_) => self.export_to(path, asked_already),
             Ask::AircraftModel(id, _) => self.use_model(*id, &path),
         }
     }

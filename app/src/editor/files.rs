@@ -16,6 +16,8 @@ pub enum Ask {
     Open,
     /// Of a scene to save, with the name to start from.
     Save(PathBuf),
+    /// Of what an exporter made, with the name to start from.
+    Export(PathBuf),
     /// Of that aircraft's model, which lies beside the scene's file.
     AircraftModel(AircraftId, PathBuf),
 }
@@ -50,14 +52,16 @@ impl FileDialogs for NativeDialogs {
         let dialog = match ask {
             Ask::AircraftModel(..) => dialog.add_filter("glTF models", &["glb"]),
             Ask::Open | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
+            Ask::Export(_) => dialog,
         };
         let asked = Instant::now();
         // Made on this thread, as macOS wants it, and waited for on another.
         let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
             Ask::Open => Box::pin(dialog.set_title("Open scene").pick_file()),
-            Ask::Save(start) => {
+            Ask::Save(start) | Ask::Export(start) => {
                 let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                let dialog = dialog.set_title("Save scene as").set_file_name(name);
+                let title = if matches!(ask, Ask::Save(_)) { "Save scene as" } else { "Export as" };
+                let dialog = dialog.set_title(title).set_file_name(name);
                 Box::pin(beside(start, dialog).save_file())
             }
             Ask::AircraftModel(_, scene) => {

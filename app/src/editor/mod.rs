@@ -17,6 +17,7 @@ mod layout;
 mod on_disk;
 mod perform;
 mod place_many;
+mod plugins;
 mod recording;
 mod remember;
 mod save_flow;
@@ -45,6 +46,7 @@ use files::Waiting;
 use intent::Intent;
 use layout::Layout;
 use place_many::PlaceMany;
+use plugins::Plugins;
 use recording::Recording;
 use std::cell::RefCell;
 use std::path::PathBuf;
@@ -60,6 +62,7 @@ pub struct Editor {
     layout: Layout,
     palette: Option<Palette>,
     place_many: Option<PlaceMany>,
+    plugins: Plugins,
     thinning: Option<Thinning>,
     time_play: TimePlay,
     clock: Clock,
@@ -101,6 +104,7 @@ impl Editor {
     pub fn new(context: &egui::Context, start: Start) -> Self {
         let Start { scene: path, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
+        let plugins = Plugins::new(context, folders.as_ref().map(Folders::plugins));
         let (disk, notices) = Disk::new(context, folders);
         let session = Session::new(starter_scene(), None);
         let mut editor = Self {
@@ -110,6 +114,7 @@ impl Editor {
             layout: Layout::default(),
             palette: None,
             place_many: None,
+            plugins,
             thinning: None,
             time_play: TimePlay::default(),
             clock: Clock::default(),
@@ -173,7 +178,7 @@ impl Editor {
     /// Whether something before the window waits for an answer.
     fn is_asking(&self) -> bool {
         let asks = self.palette.is_some() || self.place_many.is_some() || self.thinning.is_some();
-        asks || self.dialogs.is_open()
+        asks || self.plugins.is_asking() || self.dialogs.is_open()
     }
 
     pub(crate) fn tell(&mut self, text: impl AsRef<str>) {
@@ -186,7 +191,9 @@ impl Editor {
 
     /// Esc takes an open gesture back; what the pointer still does until it is let go is ignored.
     fn drop_gesture_on_escape(&mut self, context: &egui::Context) {
-        if self.session.document().is_open() && context.input(|input| input.key_pressed(egui::Key::Escape)) {
+        // What a plugin shows is open until its dialog is answered, where Esc may end the typing in a field.
+        let is_gesture = self.session.document().is_open() && !self.plugins.is_asking();
+        if is_gesture && context.input(|input| input.key_pressed(egui::Key::Escape)) {
             self.session.cancel();
             self.gesture_dropped = true;
             context.stop_dragging();
@@ -199,8 +206,8 @@ impl Editor {
             return;
         }
         self.gesture_dropped = false;
-        // Many placements stay open until they are answered.
-        if self.place_many.is_some() {
+        // Many placements, and what a plugin does, stay open until they are answered.
+        if self.place_many.is_some() || self.plugins.is_asking() {
             return;
         }
         if self.session.document().is_open()
@@ -227,7 +234,9 @@ impl Editor {
     fn panels(&mut self, ui: &mut egui::Ui) -> Vec<Action> {
         let mut actions = Vec::new();
         let state = |command| self.state_of(command);
-        egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| panel::menu_bar(ui, &state, &mut actions));
+        egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| {
+            panel::menu_bar(ui, &state, self.plugins.library(), &mut actions);
+        });
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
         let Self {
             session,
@@ -277,8 +286,8 @@ impl Editor {
 
     fn show_palette(&mut self, context: &egui::Context) {
         let Some(mut palette) = self.palette.take() else { return };
-        match palette.show(context, &|command| self.state_of(command)) {
-            Some(Some(command)) => self.perform(command, context),
+        match palette.show(context, &|command| self.state_of(command), self.plugins.library()) {
+            Some(Some(action)) => self.carry_out(vec![action], context),
             Some(None) => {}
             None => self.palette = Some(palette),
         }
@@ -289,6 +298,7 @@ impl eframe::App for Editor {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
         self.take_up_what_is_done(&context);
+        self.keep_plugins(&context);
         self.tell_whether_work_is_kept();
         self.answer_file_dialogs(&context);
         self.take_dropped_files(&context);
@@ -312,6 +322,8 @@ impl eframe::App for Editor {
         self.show_palette(&context);
         self.show_place_many(&context);
         self.show_thinning(&context);
+        self.show_plugin(&context);
+        self.show_last_run(&context);
         self.toasts.show(&context);
         self.show_title(&context);
         self.autosave();

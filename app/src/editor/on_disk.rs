@@ -16,7 +16,7 @@ impl Editor {
         let Some(watcher) = &self.disk.watcher else { return };
         // While it is being saved here, what is there changes on purpose.
         let watched = self.session.path().filter(|_| focused && !self.disk.saving);
-        watcher.watch(watched.map(|path| (path, self.disk.known)));
+        watcher.watch(watched.map(|path| (path, self.disk.known.as_ref())));
         if let Some(Sighting { path, stamp }) = watcher.news()
             && watched == Some(&path)
         {
@@ -45,6 +45,7 @@ impl Editor {
                 let mut session = Session::new(scene, Some(path.clone()));
                 let problems = session.load_beside();
                 self.session = session;
+                self.plugins.leave();
                 self.disk.known = stamp;
                 self.view.keep_what_is_in(self.session.scene());
                 self.tell(format!("{} was changed by another program and is loaded anew", self.display_name()));

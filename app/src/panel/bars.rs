@@ -1,6 +1,8 @@
-//! Menus and toolbar: nothing but the command table.
+//! Menus and toolbar: nothing but the command table, and the plugins that there are.
 
+use super::plugin;
 use crate::command::{Command, Menu, Row, TABLE};
+use crate::plugins::Library;
 use crate::state::Action;
 use crate::theme;
 use crate::widget::name_it;
@@ -26,10 +28,19 @@ const BUTTONS: &[&[Command]] = &[
 ];
 
 /// The row of menus.
-pub(crate) fn menu_bar(ui: &mut Ui, state: &dyn Fn(Command) -> CommandState, actions: &mut Vec<Action>) {
+pub(crate) fn menu_bar(
+    ui: &mut Ui,
+    state: &dyn Fn(Command) -> CommandState,
+    library: &Library,
+    actions: &mut Vec<Action>,
+) {
     egui::MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
             ui.menu_button(menu.name(), |ui| {
+                if menu == Menu::Plugins {
+                    plugin::menus(ui, library, actions);
+                    ui.separator();
+                }
                 for row in TABLE.iter().filter(|row| row.menu == menu) {
                     let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
                     if let Some(shortcut) = &row.shortcut {

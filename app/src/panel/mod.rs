@@ -16,6 +16,7 @@ mod model;
 mod outline;
 mod palette;
 mod place_many;
+mod plugin;
 mod problems;
 mod progress;
 mod shading_groups;
@@ -27,6 +28,7 @@ mod timeline;
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use palette::Palette;
 pub(crate) use place_many::{ask_place_many, default_places};
+pub(crate) use plugin::{PluginAnswer, PluginForm, Said, ask_plugin, show_last_run};
 pub(crate) use status::{Drawn, status};
 pub(crate) use thinning::{ThinAnswer, USUAL_TOLERANCE, ask_thinning};
 

@@ -1,10 +1,15 @@
-//! The command palette: any command by typing parts of its name.
+//! The command palette: any command or plugin by typing parts of its name.
 
-use crate::command::{Command, Row, TABLE};
+use super::plugin::kind_name;
+use crate::command::{Command, TABLE};
 use crate::panel::CommandState;
+use crate::plugins::{Library, Origin};
+use crate::state::Action;
 use crate::theme;
+use crate::visible;
 use crate::widget::name_it;
-use egui::{Button, Context, Id, Key, Modal, Modifiers, ScrollArea, TextEdit};
+use cloudwright_scripts::PluginKind;
+use egui::{Button, Context, Id, Key, KeyboardShortcut, Modal, Modifiers, ScrollArea, TextEdit};
 
 /// What is typed and which line is chosen, while the palette is open.
 #[derive(Debug, Default)]
@@ -13,13 +18,30 @@ pub(crate) struct Palette {
     line: usize,
 }
 
+/// Something to choose.
+struct Line<'a> {
+    name: String,
+    help: &'a str,
+    menu: &'static str,
+    icon: Option<&'static str>,
+    shortcut: Option<KeyboardShortcut>,
+    does: Does<'a>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Does<'a> {
+    Command(Command),
+    Plugin(&'a Origin),
+}
+
 impl Palette {
-    /// Shows it. The command that was chosen, or none when it was left; nothing while it stays open.
+    /// Shows it. What was chosen, or none when it was left; nothing while it stays open.
     pub(crate) fn show(
         &mut self,
         context: &Context,
         state: &dyn Fn(Command) -> CommandState,
-    ) -> Option<Option<Command>> {
+        library: &Library,
+    ) -> Option<Option<Action>> {
         let (down, up) = context.input_mut(|input| {
             let mut pressed = |key| input.consume_key(Modifiers::NONE, key);
             (pressed(Key::ArrowDown), pressed(Key::ArrowUp))
@@ -37,52 +59,82 @@ impl Palette {
                 // The field was laid out before the keys were read.
                 context.request_repaint();
             }
-            let found = matches(&self.typed);
+            let found = matches(&self.typed, library);
             self.line = (self.line + usize::from(down)).saturating_sub(usize::from(up)).min(found.len().max(1) - 1);
             ui.add_space(theme::GAP);
             ScrollArea::vertical().max_height(theme::DIALOG_LIST_HEIGHT).auto_shrink(false).show(ui, |ui| {
                 for (line, row) in found.iter().enumerate() {
-                    let mut button = Button::selectable(line == self.line, (row.icon.unwrap_or(" "), row.name));
+                    let mut button =
+                        Button::selectable(line == self.line, (row.icon.unwrap_or(" "), row.name.as_str()));
                     if let Some(shortcut) = &row.shortcut {
                         button = button.shortcut_text(ui.ctx().format_shortcut(shortcut));
                     }
-                    let enabled = state(row.command).enabled;
+                    let enabled = match row.does {
+                        Does::Command(command) => state(command).enabled,
+                        Does::Plugin(_) => true,
+                    };
                     let response = ui.add_enabled(enabled, button.min_size([ui.available_width(), 0.0].into()));
-                    name_it(ui, &response, &format!("{}: {}", row.menu.name(), row.name));
+                    name_it(ui, &response, &format!("{}: {}", row.menu, row.name));
                     if line == self.line && (down || up) {
                         response.scroll_to_me(None);
                     }
                     if response.on_hover_text(row.help).clicked() || (enter && line == self.line && enabled) {
-                        chosen = Some(row.command);
+                        chosen = Some(match row.does {
+                            Does::Command(command) => Action::Command(command),
+                            Does::Plugin(origin) => Action::Plugin(origin.clone()),
+                        });
                     }
                 }
             });
         });
         match chosen {
-            Some(command) => Some(Some(command)),
+            Some(action) => Some(Some(action)),
             None => modal.should_close().then_some(None),
         }
     }
 }
 
-/// The rows that hold the typed words, best first: in the name's beginning, in the name, in menu or help.
-fn matches(typed: &str) -> Vec<&'static Row> {
+/// All that can be chosen, in the order of the menus, plugins by kind behind the commands.
+fn lines(library: &Library) -> impl Iterator<Item = Line<'_>> {
+    let commands = TABLE.iter().map(|row| Line {
+        name: row.name.into(),
+        help: row.help,
+        menu: row.menu.name(),
+        icon: row.icon,
+        shortcut: row.shortcut,
+        does: Does::Command(row.command),
+    });
+    let plugins = PluginKind::ALL.iter().flat_map(|kind| {
+        library.of_kind(*kind).into_iter().map(|(entry, plugin)| Line {
+            name: visible::one_line(&library.label(&entry.origin, plugin)) + "…",
+            help: &plugin.description.sentence,
+            menu: kind_name(*kind),
+            icon: None,
+            shortcut: None,
+            does: Does::Plugin(&entry.origin),
+        })
+    });
+    commands.chain(plugins)
+}
+
+/// The lines that hold the typed words, best first: in the name's beginning, in the name, in menu or help.
+fn matches<'a>(typed: &str, library: &'a Library) -> Vec<Line<'a>> {
     let typed = typed.trim().to_lowercase();
-    let rank = |row: &Row| {
-        let name = row.name.to_lowercase();
+    let rank = |line: &Line<'_>| {
+        let name = line.name.to_lowercase();
         if name.starts_with(&typed) {
             Some(0)
         } else if name.contains(&typed) {
             Some(1)
-        } else if holds_words(&format!("{} {name} {}", row.menu.name(), row.help).to_lowercase(), &typed) {
+        } else if holds_words(&format!("{} {name} {}", line.menu, line.help).to_lowercase(), &typed) {
             Some(2)
         } else {
             None
         }
     };
-    let mut found: Vec<_> = TABLE.iter().filter_map(|row| Some((rank(row)?, row))).collect();
+    let mut found: Vec<_> = lines(library).filter_map(|line| Some((rank(&line)?, line))).collect();
     found.sort_by_key(|(rank, _)| *rank);
-    found.into_iter().map(|(_, row)| row).collect()
+    found.into_iter().map(|(_, line)| line).collect()
 }
 
 /// Whether each word of `typed` stands in `text`.
@@ -96,10 +148,13 @@ mod tests {
 
     #[test]
     fn finds_by_parts_best_first() {
-        assert_eq!(matches("und")[0].command, Command::Undo);
-        assert_eq!(matches("MIRROR up")[0].command, Command::MirrorY);
-        assert!(matches("tints of").iter().any(|row| row.command == Command::GroupView));
-        assert!(matches("xyzzy").is_empty());
-        assert_eq!(matches("").len(), TABLE.len());
+        let library = Library::read(None);
+        let does = |typed: &str| matches(typed, &library).first().map(|line| line.does);
+        assert_eq!(does("und"), Some(Does::Command(Command::Undo)));
+        assert_eq!(does("MIRROR up"), Some(Does::Command(Command::MirrorY)));
+        assert_eq!(does("scatter"), Some(Does::Plugin(&Origin::Shipped("scatter_clouds"))));
+        assert!(matches("tints of", &library).iter().any(|line| line.does == Does::Command(Command::GroupView)));
+        assert!(matches("xyzzy", &library).is_empty());
+        assert_eq!(matches("", &library).len(), TABLE.len() + library.entries().len());
     }
 }

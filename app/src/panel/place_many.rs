@@ -1,10 +1,9 @@
 //! Many placements: how many, over which area, and what is left to chance. The scene shows them while they are chosen.
 
-use crate::theme::{self, icon};
-use crate::widget::{name_it, number_field};
+use crate::theme;
+use crate::widget::{number_field, seed_field};
 use cloudwright_core::arrange::place_many::{MOST_CLOUDS, Pattern, Places};
 use cloudwright_core::property::{CLOUD_SCALE, Number};
-use cloudwright_core::random;
 use egui::{Align2, Color32, Context, Grid, Id, Modal, Ui, vec2};
 
 const COUNT: Number =
@@ -88,13 +87,6 @@ fn rows(ui: &mut Ui, places: &mut Places) {
         ui.checkbox(&mut places.random_heading, "Turned by chance");
     });
     row(ui, "Seed", &mut |ui| {
-        let field = egui::DragValue::new(&mut places.seed).speed(0.05).update_while_editing(false);
-        let response = ui.add_sized([theme::SEED_WIDTH, ui.spacing().interact_size.y], field);
-        name_it(ui, &response, "Seed of the placements");
-        let dice = ui.button(icon::DICE_FIVE);
-        name_it(ui, &dice, "Re-roll the placements");
-        if dice.on_hover_text("Roll another one.").clicked() {
-            places.seed = random::another_seed(places.seed);
-        }
+        seed_field(ui, "Seed of the placements", "Re-roll the placements", "", &mut places.seed);
     });
 }

@@ -6,6 +6,7 @@ use super::selection::{Choose, Item};
 use super::timeline::TimelineChange;
 use super::view::Lens;
 use crate::command::Command;
+use crate::plugins::Origin;
 use cloudwright_core::arrange::keys::Rekeyed;
 use cloudwright_core::document::Edit;
 use cloudwright_core::draw_list::Sorting;
@@ -17,6 +18,8 @@ use cloudwright_core::scene::{AircraftId, CameraId, CloudId, PathId};
 pub(crate) enum Action {
     /// A command of the table.
     Command(Command),
+    /// Ask what is to be chosen of the plugin from there, and run it.
+    Plugin(Origin),
     /// Values were changed: part of a gesture if `live`, which one undo point holds as a whole.
     Change {
         /// What the history calls it.

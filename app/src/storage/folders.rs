@@ -20,6 +20,11 @@ impl Folders {
         Some(Self { config: user.config_dir().into(), state: state.into() })
     }
 
+    /// Where the user's own plugins lie.
+    pub fn plugins(&self) -> PathBuf {
+        self.config.join("plugins")
+    }
+
     /// Both in one folder.
     pub fn within(folder: &Path) -> Self {
         Self { config: folder.join("config"), state: folder.join("state") }

@@ -3,7 +3,8 @@
 //! Only ordinary files are read, and each kind up to a limit of its own, so that a wrong path can neither hold up the
 //! program nor fill the memory. Writing is `atomic`; what a killed program left of it is a `leftover`. What the program
 //! remembers for a user lies in his [`Folders`]: `settings`, and what `recovery` needs after a crash. A [`Stamp`] tells
-//! whether a file is still the one that was read or written; a [`Watcher`] looks at one every now and then.
+//! whether a file is still the one that was read or written, a [`Listing`] which ones lie in a folder; a [`Watcher`] looks
+//! at either every now and then.
 
 mod atomic;
 mod error;
@@ -11,6 +12,7 @@ mod file_id;
 mod folder;
 mod folders;
 mod leftover;
+mod listing;
 mod ordinary;
 mod recovery;
 mod rescue_writer;
@@ -23,6 +25,7 @@ pub use error::StorageError;
 pub use file_id::FileId;
 pub use folder::Folder;
 pub use folders::Folders;
+pub use listing::Listing;
 pub use recovery::{Orphan, RecoverySlot, Rescue, orphans};
 pub use rescue_writer::{RescueWriter, Unsaved};
 pub use settings::{Settings, ThemeChoice};
@@ -71,6 +74,19 @@ pub fn remove_if_there(path: &Path) {
 pub fn names_in(folder: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(folder).into_iter().flatten().flatten();
     entries.map(|entry| entry.file_name().into()).collect()
+}
+
+/// Shows a folder in the desktop's file manager, without waiting for it; one that is not there is made.
+///
+/// # Errors
+/// If it can't be made, or nothing can show it.
+pub fn show_folder(folder: &Path) -> Result<(), StorageError> {
+    fs::create_dir_all(folder).map_err(|error| StorageError::write(folder, &error))?;
+    open::that_detached(folder).map_err(|error| StorageError::Read {
+        path: folder.into(),
+        reason: format!("no file manager shows it: {error}"),
+        hint: "go there by hand".into(),
+    })
 }
 
 /// The signals that this program was started to ignore, a bit for each from 1; none where the system doesn't say.

@@ -31,6 +31,12 @@ pub(crate) const PROGRESS_WIDTH: f32 = 140.0;
 pub(crate) const NUMBER_WIDTH: f32 = 62.0;
 /// Of a field for a seed, points.
 pub(crate) const SEED_WIDTH: f32 = 96.0;
+/// Beside the number of a plugin's parameter, points.
+pub(crate) const PARAMETER_SLIDER_WIDTH: f32 = 104.0;
+/// Of the window's height, what the fields of a plugin may take before they scroll.
+pub(crate) const FORM_SHARE: f32 = 0.5;
+/// What is kept free for what a plugin says, points: two lines.
+pub(crate) const SAID_HEIGHT: f32 = 36.0;
 /// Of the column of names in the inspector, points.
 pub(crate) const NAME_WIDTH: f32 = 108.0;
 /// Of the presets to choose from: three pictures side by side, points.

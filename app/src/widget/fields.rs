@@ -22,9 +22,12 @@ use cloudwright_core::document::Edit;
 use cloudwright_core::property::{Choice, Described, Kind, Owner, Property, Row, Value};
 use egui::{Grid, Response, RichText, Ui};
 
+pub(crate) use choice::combo;
 pub(crate) use color::{brightness_field, color_field, color32};
 pub(crate) use key::{field_to_key, key_button};
-pub(crate) use number::number_field;
+pub(crate) use number::{ENDLESS, Span, number_field, span_field};
+pub(crate) use seed::seed_field;
+pub(crate) use text::text_field;
 
 /// In the place of values that differ.
 const MIXED: &str = "mixed";

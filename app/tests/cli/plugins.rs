@@ -126,3 +126,34 @@ fn nothing_is_written_when_anything_fails() {
     place.put("there.cloudscene", b"{}");
     place.refuses("run mine.rhai -o there.cloudscene", 2, &["there.cloudscene", "--force"]);
 }
+
+#[test]
+fn the_users_own_are_found_and_told_apart() {
+    let place = place();
+    let folder = place.path("config/cloudwright/plugins");
+    std::fs::create_dir_all(&folder).expect("writable");
+    place.put("config/cloudwright/plugins/hour.rhai", MINE.as_bytes());
+    place.put("config/cloudwright/plugins/scatter_clouds.rhai", MINE.as_bytes());
+    place.put("config/cloudwright/plugins/broken.rhai", b"fn run(p) { }");
+    let config = place.path("config").display().to_string();
+    let run = |words: &str| place.run_with(&[("XDG_CONFIG_HOME", &config)], words);
+    let list = run("plugins");
+    let in_folder = format!("\nin {}:\n", folder.display());
+    let (ours, theirs) = list.stdout.split_once(&in_folder).expect("the folder's name");
+    assert!(ours.contains("scatter_clouds    generator"), "{ours}");
+    for line in [
+        "broken            broken     line 1, column 1: ",
+        "hour              edit       An hour.",
+        "scatter_clouds    edit",
+    ] {
+        assert!(theirs.contains(line), "{theirs}");
+    }
+    // A name that both have means the one that ships.
+    assert!(run("plugins scatter_clouds").stdout.starts_with("Scatter clouds (generator)"));
+    assert!(run("plugins hour").stdout.starts_with("Mine (edit)"));
+    let ran = run("run hour good.cloudscene -o out.cloudscene");
+    assert_eq!((ran.code, ran.stderr.as_str()), (0, "set\nMine: 1 edit\n"));
+    let broken = run("run broken -o none.cloudscene");
+    assert!(broken.code == 2 && broken.stderr.contains("broken.rhai: line 1, column 1"), "{}", broken.stderr);
+    assert!(run("run huor -o none.cloudscene").stderr.contains("did you mean `hour`?"));
+}

@@ -5,12 +5,9 @@ use super::placed::Placed;
 use super::{Answer, Shared, Usage};
 use crate::error::{Said, did_you_mean};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::Hidden;
-use cloudwright_core::frame::Frame;
-use cloudwright_core::measure::coverage;
+use cloudwright_core::measure::{Observer, sky_cover};
 use cloudwright_core::scene::{CloudId, Scene, Thing};
-use cloudwright_core::sight::Sight;
-use cloudwright_core::sprites::{Atlas, PlacedCloud};
+use cloudwright_core::sprites::PlacedCloud;
 use cloudwright_core::weather::Moment;
 use glam::DVec3;
 use rhai::{Array, Dynamic, Engine, Map};
@@ -23,16 +20,11 @@ pub(super) const USAGE: &[Usage] = &[
         "coverage_oktas",
         "coverage_oktas(), or coverage_oktas(#{ clouds: ids, base_m: [0, 2000], from: [0, 0, 0], \
          least_elevation_deg: 8, at_s: 0 })",
-        "Eighths of the sky that clouds cover, 0 to 8, as an observer on the ground sees it, from the horizon or an \
+        "Eighths of the sky that clouds cover, 0 to 8, as an observer on the ground sees it, from 10° or another \
          elevation up: of all clouds, of some, or of those whose bases lie in a band of heights.",
     ),
     ("bounds", "bounds(cloud)", "The lowest corner and the highest of the box that a cloud's sprites fill."),
 ];
-
-/// Side of the faces of the cube that is looked at, pixels: a share of the sky is then within a hundredth.
-const FACE_PX: u32 = 64;
-/// An observer's eye above the ground, metres.
-const EYE_M: f64 = 2.0;
 
 /// Whose coverage, from where.
 struct Looked {
@@ -64,7 +56,9 @@ impl Looked {
                 _ => return Err(Said::script("base_m is no band", "[lowest, highest], metres")),
             },
         };
-        let elevation = fields.get("least_elevation_deg").map_or(Ok(0.0), |given| number("an elevation", given))?;
+        let elevation = fields
+            .get("least_elevation_deg")
+            .map_or(Ok(Observer::LEAST_ELEVATION_DEG), |given| number("an elevation", given))?;
         if !(0.0..90.0).contains(&elevation) {
             return Err(Said::script(format!("least_elevation_deg is {elevation}"), "0 to less than 90 above level"));
         }
@@ -83,29 +77,10 @@ impl Looked {
     }
 
     fn oktas(&self, scene: &Scene, derived: &Derived) -> f64 {
-        let (meant, others): (Vec<_>, Vec<_>) = derived.clouds().iter().partition(|cloud| self.is_meant(cloud));
-        if meant.is_empty() {
-            return 0.0;
-        }
-        let hidden = Hidden { clouds: others.iter().map(|cloud| cloud.id).collect(), ..Hidden::default() };
-        let from = self.from.unwrap_or_else(|| under(scene, &meant));
-        let seen = coverage(from, self.least_elevation_deg, FACE_PX, |camera, size| {
-            let sight = Sight::still(camera, size);
-            let sight = Sight { moment: Moment::at(self.at_s), hidden: hidden.clone(), ..sight };
-            Frame::new(scene, derived, Atlas::built_in(), &sight)
-        });
-        8.0 * seen.covered
+        let observer =
+            Observer { from: self.from, least_elevation_deg: self.least_elevation_deg, moment: Moment::at(self.at_s) };
+        8.0 * sky_cover(scene, derived, &observer, |cloud| self.is_meant(cloud)).covered
     }
-}
-
-/// On the ground, under the middle of what the clouds span.
-fn under(scene: &Scene, clouds: &[&PlacedCloud]) -> DVec3 {
-    let middles = clouds.iter().map(|cloud| cloud.origin + cloud.center.as_dvec3());
-    let [low, high] =
-        middles.fold([DVec3::INFINITY, DVec3::NEG_INFINITY], |[low, high], at| [low.min(at), high.max(at)]);
-    let ground_m = scene.ground.as_ref().map_or(0.0, |ground| ground.altitude_m);
-    let middle = 0.5 * (low + high);
-    DVec3::new(middle.x, ground_m + EYE_M, middle.z)
 }
 
 fn oktas(recorder: &Shared, placed: &Placed, fields: &Map) -> Result<f64, Said> {

@@ -85,7 +85,7 @@ const APP: [&[&str]; 10] = [
     &["state"],
     &["reports"],
     &["saving"],
-    &["opening", "signals"],
+    &["opening", "plugins", "signals"],
     &["chart", "command", "storage", "thumbnail"],
     &["picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
 ];

@@ -80,7 +80,7 @@ impl Dialogs {
     pub(super) fn ask_path(&mut self, ask: Ask) {
         let text = match &ask {
             Ask::Open => String::new(),
-            Ask::Save(path) => path.display().to_string(),
+            Ask::Save(path) | Ask::Export(path) => path.display().to_string(),
             Ask::AircraftModel(_, scene) => scene.with_file_name("aircraft.glb").display().to_string(),
         };
         self.open(Dialog::Path { ask, text });

@@ -26,6 +26,7 @@ impl Editor {
         for action in actions {
             match action {
                 Action::Command(command) => self.perform(command, context),
+                Action::Plugin(origin) => self.ask_plugin(&origin, context),
                 Action::Select { items, through, how } => {
                     self.view.selection.choose(items, through, how);
                     self.view.keep_what_is_in(self.session.scene());
@@ -91,6 +92,8 @@ impl Editor {
         let selection = &self.view.selection;
         let (clouds, boxes) = (selection.clouds().count(), selection.boxes().count());
         match command {
+            Command::RunAgain => self.plugins.can_run_again(),
+            Command::OpenPluginFolder => self.disk.folders().is_some(),
             Command::OpenRecent => !self.disk.settings().recent().is_empty(),
             Command::Revert => self.session.path().is_some() && document.is_modified(),
             Command::Undo => document.undo_name().is_some() || document.is_open(),
@@ -244,6 +247,8 @@ impl Editor {
             Command::KeyAfterLast => self.key_after_last(),
             Command::KeyAtClock => self.key_at_clock(),
             Command::RecordFlight => self.toggle_recording(),
+            Command::RunAgain => self.run_again(context),
+            Command::OpenPluginFolder => self.open_plugin_folder(),
             Command::OutlinePanel => self.layout.bring_up(Panel::Outline),
             Command::InspectorPanel => self.layout.bring_up(Panel::Inspector),
             Command::LevelsPanel => self.layout.bring_up(Panel::ColorLevels),

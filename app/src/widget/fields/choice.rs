@@ -28,18 +28,8 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let text = shown.map_or(if mixed { MIXED } else { "" }, |(_, name)| name);
         let mut chosen = None;
         row_of(ui, self.indent(), label, row.property.doc, |ui| {
-            let combo = egui::ComboBox::from_id_salt(label).selected_text(text).show_ui(ui, |ui| {
-                for (each, name) in &all {
-                    let is_it = shown.is_some_and(|(shown, _)| shown == each);
-                    if ui.selectable_label(is_it, name).clicked() {
-                        chosen = Some(each.clone());
-                    }
-                }
-            });
-            name_it(ui, &combo.response, label);
-            if mixed {
-                combo.response.on_hover_text(MIXED_DOC);
-            }
+            let is_shown = |each: &Value| shown.is_some_and(|(shown, _)| shown == each);
+            chosen = combo(ui, label, if mixed { MIXED_DOC } else { "" }, text, &all, is_shown);
         });
         if let Some(chosen) = chosen {
             self.set(row, 0, chosen);
@@ -74,6 +64,30 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
             self.set(row, 0, chosen);
         }
     }
+}
+
+/// One of `all`, each with its name, from a list that hangs from `text`. Which was chosen in this frame.
+pub(crate) fn combo<T: Clone>(
+    ui: &mut Ui,
+    label: &str,
+    doc: &str,
+    text: &str,
+    all: &[(T, String)],
+    is_shown: impl Fn(&T) -> bool,
+) -> Option<T> {
+    let mut chosen = None;
+    let combo = egui::ComboBox::from_id_salt(label).selected_text(text).show_ui(ui, |ui| {
+        for (each, name) in all {
+            if ui.selectable_label(is_shown(each), name).clicked() {
+                chosen = Some(each.clone());
+            }
+        }
+    });
+    name_it(ui, &combo.response, label);
+    if !doc.is_empty() {
+        combo.response.on_hover_text(doc);
+    }
+    chosen
 }
 
 /// A box to tick, in the second column. Whether it was clicked.

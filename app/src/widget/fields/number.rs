@@ -25,7 +25,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
                 }
                 let mixed = self.parts_differ(row, part);
                 let name = format!("{label} {part_label}");
-                if field(ui, name.trim_end(), number, &mut value, Look { whole, mixed }) {
+                if field(ui, name.trim_end(), &Span { whole, ..number.into() }, &mut value, mixed) {
                     self.set(row, part, Value::Number(if whole { value.trunc() } else { value }));
                 }
             }
@@ -35,11 +35,39 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
     }
 }
 
+/// What a number means and may be, as its field needs to know: of the core's [`Number`], or of what a plugin says.
+#[derive(Clone, Copy)]
+pub(crate) struct Span<'a> {
+    pub(crate) unit: &'a str,
+    pub(crate) min: f64,
+    pub(crate) max: f64,
+    /// One sentence for the artist.
+    pub(crate) doc: &'a str,
+    /// Without decimals.
+    pub(crate) whole: bool,
+    /// How far one notch goes; none: as the range or the unit suggests.
+    pub(crate) step: Option<f64>,
+}
+
+impl<'a> From<&'a Number> for Span<'a> {
+    fn from(&Number { unit, min, max, doc, .. }: &'a Number) -> Self {
+        Self { unit, min, max, doc, whole: false, step: None }
+    }
+}
+
+/// Beyond this, both ways, a range is none worth telling.
+pub(crate) const ENDLESS: f64 = 1e12;
+
 /// A field to drag or type in, within the number's range. Whether it was changed.
 ///
 /// What is typed and lies outside is not taken: the field keeps its value and says for a while which range it has.
 pub(crate) fn number_field(ui: &mut Ui, name: &str, number: &Number, value: &mut f64, whole: bool) -> bool {
-    field(ui, name, number, value, Look { whole, mixed: false })
+    field(ui, name, &Span { whole, ..number.into() }, value, false)
+}
+
+/// As [`number_field`], for a number that the core does not know.
+pub(crate) fn span_field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f64) -> bool {
+    field(ui, name, span, value, false)
 }
 
 /// What a track makes of a number, without digits that nobody reads.
@@ -53,54 +81,46 @@ fn in_short(value: f64) -> f64 {
     (value * parts).round() / parts
 }
 
-/// How a number is shown.
-#[derive(Clone, Copy)]
-struct Look {
-    /// Without decimals.
-    whole: bool,
-    /// Not at all: it stands for several that differ.
-    mixed: bool,
-}
-
-fn field(ui: &mut Ui, name: &str, number: &Number, value: &mut f64, Look { whole, mixed }: Look) -> bool {
+/// The field of a number. One that is `mixed` stands for several that differ, and shows none.
+fn field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f64, mixed: bool) -> bool {
     let before = *value;
     let refused = Cell::new(None);
     // Of mixed values, the one that is shown may be typed to be had by all.
     let taken = Cell::new(false);
     let mut field = DragValue::new(value)
-        .range(number.min..=number.max)
+        .range(span.min..=span.max)
         .clamp_existing_to_range(false)
         .update_while_editing(false)
         .custom_parser(|text| {
-            let typed = typed_number(text, number.unit)?;
-            let is_allowed = number.allows(typed);
+            let typed = typed_number(text, span.unit)?;
+            let is_allowed = span.allows(typed);
             if !is_allowed {
                 refused.set(Some(typed));
             }
             taken.set(is_allowed);
             is_allowed.then_some(typed)
         })
-        .speed(speed(number, before, whole))
-        .max_decimals(if whole { 0 } else { 3 });
+        .speed(span.speed(before))
+        .max_decimals(if span.whole { 0 } else { 3 });
     if mixed {
         field = field.custom_formatter(|_, _| MIXED.into());
-    } else if !number.unit.is_empty() {
-        let space = if number.unit == "°" { "" } else { " " };
-        field = field.suffix(format!("{space}{}", number.unit));
+    } else if !span.unit.is_empty() {
+        let space = if span.unit == "°" { "" } else { " " };
+        field = field.suffix(format!("{space}{}", span.unit));
     }
     let response = ui.add_sized([theme::NUMBER_WIDTH, ui.spacing().interact_size.y], field);
     name_it(ui, &response, name);
     // Screen readers hand values over as they are.
-    if !number.allows(*value) {
+    if !span.allows(*value) {
         refused.set(Some(*value));
         *value = before;
     }
     if let Some(typed) = refused.get() {
-        refusal::tell(ui, &response, format!("{typed} is outside {}", range_of(number)));
+        refusal::tell(ui, &response, format!("{typed} is outside {}", span.range()));
     }
     let changed = response.changed() && *value != before || mixed && taken.get();
     if !refusal::show(ui, &response, changed) {
-        describe(response, name, number, mixed);
+        describe(response, name, span, mixed);
     }
     changed
 }
@@ -111,32 +131,44 @@ fn typed_number(text: &str, unit: &str) -> Option<f64> {
     text.strip_suffix(unit).unwrap_or(&text).parse().ok()
 }
 
-fn range_of(number: &Number) -> String {
-    let Number { min, max, unit, .. } = number;
-    format!("{min} to {max} {unit}").trim_end().into()
+impl Span<'_> {
+    fn allows(&self, value: f64) -> bool {
+        value >= self.min && value <= self.max
+    }
+
+    /// In words: "1 to 60 s"; none of what has no end.
+    fn range(&self) -> String {
+        let Self { min, max, unit, .. } = self;
+        if *min <= -ENDLESS && *max >= ENDLESS {
+            return String::new();
+        }
+        format!("{min} to {max} {unit}").trim_end().into()
+    }
+
+    /// What a point of dragging changes: a length by its own size, anything else by its range.
+    fn speed(&self, value: f64) -> f64 {
+        if let Some(step) = self.step.filter(|_| !self.whole) {
+            return step * 0.25;
+        }
+        match self.unit {
+            _ if self.whole => 0.25,
+            "m" | "ft" => (value.abs() * 0.01).clamp(0.1, 1e4),
+            "°" => 0.5,
+            "h" => 0.02,
+            "s" | "km/h" | "kt" => (value.abs() * 0.01).clamp(0.05, 100.0),
+            "EV" => 0.02,
+            _ => ((self.max - self.min) * 0.002).min(0.01),
+        }
+    }
 }
 
-/// What a point of dragging changes: a length by its own size, anything else by its range.
-fn speed(number: &Number, value: f64, whole: bool) -> f64 {
-    if whole {
-        return 0.25;
-    }
-    match number.unit {
-        "m" => (value.abs() * 0.01).clamp(0.1, 1e4),
-        "°" => 0.5,
-        "h" => 0.02,
-        "s" | "km/h" | "kt" => (value.abs() * 0.01).clamp(0.05, 100.0),
-        "EV" => 0.02,
-        _ => ((number.max - number.min) * 0.002).min(0.01),
-    }
-}
-
-fn describe(response: Response, name: &str, number: &Number, mixed: bool) {
+fn describe(response: Response, name: &str, span: &Span<'_>, mixed: bool) {
     response.on_hover_ui(|ui| {
         if mixed {
             ui.label(MIXED_DOC);
         }
-        ui.label(format!("{name}: {}\n{}", number.doc, range_of(number)));
+        let words = if span.doc.is_empty() { name.into() } else { format!("{name}: {}", span.doc) };
+        ui.label(format!("{words}\n{}", span.range()).trim_end());
     });
 }
 

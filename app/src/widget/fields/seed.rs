@@ -18,7 +18,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let doc = row.property.doc;
         let (mut seed, typed) = (before, Cell::new(false));
         row_of(ui, self.indent(), label, doc, |ui| {
-            let mut field = DragValue::new(&mut seed).speed(0.05).update_while_editing(false);
+            let mut field = DragValue::new(&mut seed);
             if mixed {
                 field = field.custom_formatter(|_, _| MIXED.into()).custom_parser(|text| {
                     let seed = text.trim().parse().ok();
@@ -26,12 +26,7 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
                     seed
                 });
             }
-            let response = ui.add_sized([theme::SEED_WIDTH, ui.spacing().interact_size.y], field);
-            name_it(ui, &response, label);
-            response.on_hover_text(if mixed { MIXED_DOC } else { doc });
-            let dice = ui.button(icon::DICE_FIVE);
-            name_it(ui, &dice, "Re-roll");
-            if dice.on_hover_text("Roll another one.").clicked() {
+            if field_with_dice(ui, label, "Re-roll", if mixed { MIXED_DOC } else { doc }, field) {
                 self.changes.push(Change::Roll(row));
             }
         });
@@ -65,4 +60,28 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let seed = if own { self.effective(row, 0, thing).ok_or(Refusal::NotThere)? } else { Value::None };
         row.set(thing, 0, &seed)
     }
+}
+
+/// A seed: to be typed, or rolled. Whether it is another one.
+pub(crate) fn seed_field(ui: &mut Ui, label: &str, dice: &str, doc: &str, seed: &mut u64) -> bool {
+    let before = *seed;
+    // Scripts and files count seeds with a sign.
+    let field = DragValue::new(seed).range(0..=i64::MAX as u64);
+    if field_with_dice(ui, label, dice, doc, field) {
+        *seed = random::another_seed(before);
+    }
+    *seed != before
+}
+
+/// Whether the dice were clicked.
+fn field_with_dice(ui: &mut Ui, label: &str, dice: &str, doc: &str, field: DragValue<'_>) -> bool {
+    let field = field.speed(0.05).update_while_editing(false);
+    let response = ui.add_sized([theme::SEED_WIDTH, ui.spacing().interact_size.y], field);
+    name_it(ui, &response, label);
+    if !doc.is_empty() {
+        response.on_hover_text(doc);
+    }
+    let button = ui.button(icon::DICE_FIVE);
+    name_it(ui, &button, dice);
+    button.on_hover_text("Roll another one.").clicked()
 }

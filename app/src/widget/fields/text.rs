@@ -11,26 +11,29 @@ impl<T: Clone + PartialEq> Fields<'_, T> {
         let before = if let (Value::Text(text), false) = (value, mixed) { text.as_str() } else { "" };
         let mut new = None;
         row_of(ui, self.indent(), label, "", |ui| {
-            let id: Id = ui.next_auto_id();
-            let mut typed = ui.data(|data| data.get_temp(id)).unwrap_or_else(|| before.to_owned());
-            let hint = if mixed { MIXED } else { "" };
-            let response = ui.add(TextEdit::singleline(&mut typed).hint_text(hint).desired_width(f32::INFINITY));
-            name_it(ui, &response, label);
-            if response.has_focus() {
-                ui.data_mut(|data| data.insert_temp(id, typed));
-                return;
-            }
-            ui.data_mut(|data| data.remove::<String>(id));
-            let kept = response.lost_focus() && !ui.input(|input| input.key_pressed(Key::Escape));
-            if kept && typed != before {
-                new = Some(typed);
-            }
-            if mixed {
-                response.on_hover_text(MIXED_DOC);
-            }
+            let (hint, doc) = if mixed { (MIXED, MIXED_DOC) } else { ("", "") };
+            new = text_field(ui, label, hint, doc, before);
         });
         if let Some(new) = new {
             self.set(row, 0, Value::Text(new));
         }
     }
+}
+
+/// A line to type in. What was typed, once the field is left and it is other words than `before`.
+pub(crate) fn text_field(ui: &mut Ui, label: &str, hint: &str, doc: &str, before: &str) -> Option<String> {
+    let id: Id = ui.next_auto_id();
+    let mut typed = ui.data(|data| data.get_temp(id)).unwrap_or_else(|| before.to_owned());
+    let response = ui.add(TextEdit::singleline(&mut typed).hint_text(hint).desired_width(f32::INFINITY));
+    name_it(ui, &response, label);
+    if response.has_focus() {
+        ui.data_mut(|data| data.insert_temp(id, typed));
+        return None;
+    }
+    ui.data_mut(|data| data.remove::<String>(id));
+    let kept = response.lost_focus() && !ui.input(|input| input.key_pressed(Key::Escape));
+    if !doc.is_empty() {
+        response.on_hover_text(doc);
+    }
+    (kept && typed != before).then_some(typed)
 }

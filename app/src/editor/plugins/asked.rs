@@ -1,0 +1,141 @@
+//! What is to be chosen of a plugin is being asked; the scene shows what would come of it, as an open gesture.
+
+use super::{LastRun, Run};
+use crate::editor::Editor;
+use crate::panel::{self, PluginAnswer};
+use crate::plugins::{Origin, carried_over};
+use cloudwright_scripts::{Outcome, PluginKind, ScriptError};
+use std::sync::Arc;
+
+/// A plugin whose values are being chosen.
+pub(super) struct Asked {
+    pub(super) run: Run,
+    /// The scene shows a run.
+    shows: bool,
+    /// It was said to be done; the run that it waits for goes on.
+    confirmed: bool,
+    /// What has become of its file.
+    notice: Option<String>,
+    /// What an exporter made, for a file whose name is being asked.
+    pub(super) text: Option<String>,
+}
+
+impl Asked {
+    pub(super) fn new(run: Run) -> Self {
+        Self { run, shows: false, confirmed: false, notice: None, text: None }
+    }
+
+    pub(super) fn exports(&self) -> bool {
+        self.run.plugin.description.kind == PluginKind::Exporter
+    }
+}
+
+impl Editor {
+    pub(in crate::editor) fn show_plugin(&mut self, context: &egui::Context) {
+        let Some(mut asked) = self.plugins.asked.take() else { return };
+        // Whatever ended the gesture meanwhile (a save, an undo) has answered.
+        if asked.shows && !self.session.document().is_open() {
+            self.view.keep_what_is_in(self.session.scene());
+            return;
+        }
+        self.follow_file(&mut asked);
+        let mut values = std::mem::take(&mut asked.run.values);
+        let title = self.title_of(&asked.run);
+        let form = asked.run.form(&title, asked.notice.as_deref(), self.disk.settings().units);
+        let answer = panel::ask_plugin(context, &form, &mut values);
+        asked.run.values = values;
+        match answer {
+            Some(PluginAnswer::Cancel) => return self.take_back(&asked),
+            Some(PluginAnswer::Do) => asked.confirmed = true,
+            None => {}
+        }
+        // An exporter changes nothing that could be shown: it runs when it is to.
+        if !asked.exports() || asked.confirmed {
+            let ended = asked.run.trial.keep_up(&asked.run.plugin, &asked.run.values, context);
+            if let Some(ended) = ended {
+                self.show_outcome(&mut asked, ended, context);
+            }
+        }
+        let is_done = asked.confirmed && asked.run.trial.is_of(&asked.run.plugin, &asked.run.values);
+        if is_done && !asked.exports() {
+            return self.keep_run(asked);
+        }
+        self.plugins.asked = Some(asked);
+    }
+
+    /// The file of a plugin may change while its dialog is open: it is read again, and what was chosen stays. While it is
+    /// gone or broken, what was read before goes on.
+    fn follow_file(&self, asked: &mut Asked) {
+        let Origin::File(_) = &asked.run.origin else { return };
+        match self.plugins.library().from(&asked.run.origin).map(|entry| &entry.read) {
+            Some(Ok(plugin)) if Arc::ptr_eq(plugin, &asked.run.plugin) => {}
+            // The folder was read again, and this one was not changed.
+            Some(Ok(plugin)) if *plugin == asked.run.plugin => asked.notice = None,
+            Some(Ok(plugin)) => {
+                asked.run.values = carried_over(&asked.run.values, plugin);
+                asked.run.plugin = Arc::clone(plugin);
+                asked.confirmed = false;
+                asked.notice = Some("Its file has changed and was read again.".into());
+            }
+            Some(Err(error)) => {
+                asked.notice =
+                    Some(format!("Its file has changed and can't be read: {error}. The one before goes on."));
+            }
+            None => asked.notice = Some("Its file is gone; what was read of it goes on.".into()),
+        }
+    }
+
+    /// Brings the scene to what a run came to; to what it was before if that is nothing.
+    fn show_outcome(&mut self, asked: &mut Asked, ended: Result<Outcome, ScriptError>, context: &egui::Context) {
+        self.session.cancel();
+        self.view.selection = asked.run.selection.clone();
+        asked.shows = false;
+        let outcome = match ended {
+            Ok(outcome) => outcome,
+            Err(error) => {
+                asked.confirmed = false;
+                return asked.run.failed(error);
+            }
+        };
+        asked.run.error = None;
+        asked.run.printed = outcome.printed;
+        if asked.exports() {
+            // It is run anew when it is asked for anew.
+            asked.run.trial.forget();
+            asked.confirmed = false;
+            asked.text = outcome.text;
+            return self.ask_export(context);
+        }
+        match self.session.drag(&asked.run.plugin.description.name, outcome.edits) {
+            Ok(()) => asked.shows = true,
+            Err(error) => {
+                self.session.cancel();
+                asked.confirmed = false;
+                asked.run.failed(error);
+            }
+        }
+        self.view.keep_what_is_in(self.session.scene());
+    }
+
+    /// Leaves the scene as it was.
+    fn take_back(&mut self, asked: &Asked) {
+        self.session.cancel();
+        self.select(asked.run.selection.clone());
+    }
+
+    /// What the scene shows becomes an undo point.
+    fn keep_run(&mut self, asked: Asked) {
+        let run = asked.run;
+        let done = self.session.commit();
+        if done.is_ok() {
+            let mark = self.session.document().mark();
+            self.remember_run(&run);
+            self.select_after(&run);
+            if mark == run.before {
+                self.tell(format!("{} has changed nothing", run.plugin.description.name));
+            }
+            self.plugins.last = Some(LastRun::new(run, mark));
+        }
+        self.report(done);
+    }
+}

@@ -1,0 +1,178 @@
+//! Plugins in the window: which there are, the question what is to be chosen of one, and its last run to be had again.
+//!
+//! A run goes on off the frame ([`trial`]); what it asks for is shown as an open gesture, which becomes one undo point
+//! or nothing ([`asked`]). The values of the last run can be changed as long as nothing else was ([`last`]).
+
+mod asked;
+mod export;
+mod last;
+mod shelf;
+mod trial;
+
+use super::Editor;
+use crate::panel::{PluginForm, Said};
+use crate::plugins::{Library, Origin, ReadError};
+use crate::state::{Item, Selection};
+use crate::storage::{self, Folders};
+use asked::Asked;
+use cloudwright_core::document::SavedMark;
+use cloudwright_core::problem::Problem;
+use cloudwright_core::scene::Cloud;
+use cloudwright_scripts::{Plugin, PluginKind, ScriptError, Values};
+use last::LastRun;
+use shelf::Shelf;
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+use trial::Trial;
+
+/// Of all plugins, and of the one that is being asked about or was run last.
+pub(super) struct Plugins {
+    shelf: Shelf,
+    asked: Option<Asked>,
+    last: Option<LastRun>,
+    /// Which one was run last.
+    again: Option<Origin>,
+    /// What was chosen of each, until the window is closed.
+    chosen: BTreeMap<Origin, Values>,
+}
+
+/// A plugin at work on a scene.
+struct Run {
+    origin: Origin,
+    plugin: Arc<Plugin>,
+    values: Values,
+    trial: Trial,
+    /// What was selected before, and is what the plugin sees as selected.
+    selection: Selection,
+    /// The state that the scene was in.
+    before: SavedMark,
+    /// Why the last run came to nothing.
+    error: Option<String>,
+    printed: Vec<String>,
+}
+
+impl Plugins {
+    pub(super) fn new(context: &egui::Context, folder: Option<PathBuf>) -> Self {
+        Self { shelf: Shelf::new(context, folder), asked: None, last: None, again: None, chosen: BTreeMap::new() }
+    }
+
+    pub(super) fn library(&self) -> &Library {
+        self.shelf.library()
+    }
+
+    /// Whether what is to be chosen of a plugin is being asked.
+    pub(super) fn is_asking(&self) -> bool {
+        self.asked.is_some()
+    }
+
+    /// Whether there is a last one, and it is still there.
+    pub(super) fn can_run_again(&self) -> bool {
+        self.again.as_ref().is_some_and(|origin| self.library().from(origin).is_some())
+    }
+
+    /// Another document has come: what was run on the one before is over.
+    pub(super) fn leave(&mut self) {
+        self.asked = None;
+        self.last = None;
+    }
+}
+
+impl Run {
+    /// What is shown of it.
+    fn form<'a>(&'a self, title: &'a str, notice: Option<&'a str>, units: crate::units::Units) -> PluginForm<'a> {
+        let said = Said { error: self.error.as_deref(), printed: &self.printed, runs: self.trial.takes_long(), notice };
+        PluginForm { plugin: &self.plugin, title, origin: &self.origin, scene: self.trial.scene(), units, said }
+    }
+
+    /// Remembers why a run came to nothing.
+    fn failed(&mut self, why: impl ToString) {
+        self.error = Some(why.to_string());
+        self.printed.clear();
+    }
+}
+
+impl Editor {
+    /// Once a frame.
+    pub(super) fn keep_plugins(&mut self, context: &egui::Context) {
+        self.plugins.shelf.keep_up(context.input(|input| input.focused));
+    }
+
+    /// Asks what is to be chosen of the plugin from there; of a broken one, tells what is wrong.
+    pub(super) fn ask_plugin(&mut self, origin: &Origin, context: &egui::Context) {
+        let plugin = match self.plugins.library().from(origin).map(|entry| &entry.read) {
+            Some(Ok(plugin)) => Arc::clone(plugin),
+            Some(Err(error)) => {
+                let problem = problem_of(error);
+                return self.dialogs.list(std::path::Path::new(&origin.to_string()), vec![problem]);
+            }
+            None => return self.tell_error(format!("The plugin is gone: {origin}")),
+        };
+        if let Err(error) = self.session.commit() {
+            return self.tell_error(error.to_string());
+        }
+        let scene = Arc::new(self.session.scene().clone());
+        let trial = match Trial::start(scene, self.view.selection.items(), context) {
+            Ok(trial) => trial,
+            Err(error) => return self.tell_error(format!("The system gives no thread: {error}")),
+        };
+        let chosen = self.plugins.chosen.get(origin);
+        let run = Run {
+            values: chosen.map_or_else(|| plugin.values(), |chosen| crate::plugins::carried_over(chosen, &plugin)),
+            origin: origin.clone(),
+            plugin,
+            trial,
+            selection: self.view.selection.clone(),
+            before: self.session.document().mark(),
+            error: None,
+            printed: Vec::new(),
+        };
+        self.plugins.last = None;
+        self.plugins.asked = Some(Asked::new(run));
+        context.request_repaint();
+    }
+
+    /// Asks for the last one again.
+    pub(super) fn run_again(&mut self, context: &egui::Context) {
+        if let Some(origin) = self.plugins.again.clone() {
+            self.ask_plugin(&origin, context);
+        }
+    }
+
+    pub(super) fn open_plugin_folder(&mut self) {
+        let Some(folder) = self.disk.folders().map(Folders::plugins) else { return };
+        self.disk.file_jobs.ask(move || super::done::Done::FolderShown(storage::show_folder(&folder)));
+    }
+
+    /// What it is called on screen.
+    fn title_of(&self, run: &Run) -> String {
+        self.plugins.library().label(&run.origin, &run.plugin)
+    }
+
+    /// Remembers what was chosen, and of which.
+    fn remember_run(&mut self, run: &Run) {
+        self.plugins.chosen.insert(run.origin.clone(), run.values.clone());
+        self.plugins.again = Some(run.origin.clone());
+    }
+
+    /// Selects the clouds that a generator made; else what was selected before, as far as it is still there.
+    fn select_after(&mut self, run: &Run) {
+        let first_new = run.trial.scene().next_id.0;
+        let is_new = |cloud: &&Cloud| cloud.id.0 >= first_new;
+        let generates = run.plugin.description.kind == PluginKind::Generator;
+        let made = self.session.scene().clouds.iter().filter(is_new).map(|cloud| Item::Cloud(cloud.id));
+        let made = if generates { Selection::of(made) } else { Selection::default() };
+        self.select(if made.is_empty() { run.selection.clone() } else { made });
+    }
+}
+
+/// With line and column as the place.
+fn problem_of(error: &ReadError) -> Problem {
+    match error {
+        ReadError::Script(ScriptError { place, message, hint, .. }) => {
+            let place = place.map(|place| format!("line {}, column {}", place.line, place.column));
+            Problem::error(place.unwrap_or_default(), message.clone(), hint.clone())
+        }
+        other => Problem::error("", other.to_string(), ""),
+    }
+}

@@ -1,0 +1,210 @@
+//! Which plugins there are: those within the program, and the user's in a folder.
+//!
+//! Only what they say they are is read; nothing of them runs. One that can't be read stays in the list, with what is
+//! wrong with it. Two may have one name: each knows where it is from. Window and command line read the same library.
+
+mod chosen;
+
+pub use chosen::carried_over;
+
+use crate::storage::{self, Listing, StorageError};
+use cloudwright_scripts::shipped::SHIPPED;
+use cloudwright_scripts::{Plugin, PluginKind, ScriptError};
+use std::fmt;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+/// What a plugin's file ends in.
+pub const EXTENSION: &str = "rhai";
+/// Larger files are no scripts; of smaller ones the scripts' own limit tells.
+const FILE_BYTES: usize = 1 << 20;
+
+/// Where a plugin is from.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Origin {
+    /// The one of that name within the program.
+    Shipped(&'static str),
+    /// A file.
+    File(PathBuf),
+}
+
+/// Why a plugin can't be read.
+#[derive(Debug, thiserror::Error)]
+pub enum ReadError {
+    /// Its file can't be read.
+    #[error(transparent)]
+    Storage(#[from] StorageError),
+    /// Its file is no text.
+    #[error("this is no text (a plugin is a text in UTF-8)")]
+    NoText,
+    /// It is no plugin.
+    #[error(transparent)]
+    Script(#[from] ScriptError),
+}
+
+/// One plugin, or what should be one.
+#[derive(Debug)]
+pub struct Entry {
+    /// Where it is from.
+    pub origin: Origin,
+    /// What it says it is.
+    pub read: Result<Arc<Plugin>, ReadError>,
+}
+
+/// All that there are: those that ship, then the user's, each by name.
+#[derive(Debug, Default)]
+pub struct Library {
+    entries: Vec<Entry>,
+    /// The user's folder as it was when it was read.
+    seen: Listing,
+}
+
+impl Origin {
+    /// By which the command line calls it: the file's name without its ending.
+    pub fn name(&self) -> String {
+        match self {
+            Self::Shipped(name) => (*name).into(),
+            Self::File(path) => path.file_stem().unwrap_or_default().to_string_lossy().into_owned(),
+        }
+    }
+
+    /// In a word: its file's name, or that it ships.
+    pub fn in_short(&self) -> String {
+        match self {
+            Self::Shipped(_) => "shipped".into(),
+            Self::File(path) => path.file_name().unwrap_or_default().to_string_lossy().into_owned(),
+        }
+    }
+}
+
+impl fmt::Display for Origin {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Shipped(_) => f.write_str("ships with Cloudwright"),
+            Self::File(path) => path.display().fmt(f),
+        }
+    }
+}
+
+impl Entry {
+    fn shipped(name: &'static str, source: &str) -> Self {
+        Self { origin: Origin::Shipped(name), read: Plugin::read(source).map(Arc::new).map_err(ReadError::from) }
+    }
+
+    /// The one in a file.
+    pub fn of_file(path: &Path) -> Self {
+        let read = || {
+            let bytes = storage::read(path, FILE_BYTES)?;
+            let source = String::from_utf8(bytes).map_err(|_| ReadError::NoText)?;
+            Ok(Arc::new(Plugin::read(&source)?))
+        };
+        Self { origin: Origin::File(path.into()), read: read() }
+    }
+
+    /// It, if it could be read.
+    pub fn plugin(&self) -> Option<&Arc<Plugin>> {
+        self.read.as_ref().ok()
+    }
+}
+
+/// The plugins in a folder as they lie there, to be watched.
+pub fn listing(folder: &Path) -> Listing {
+    Listing::of(folder, EXTENSION)
+}
+
+impl Library {
+    /// Reads all that ship, and those in the user's folder, if there is one. Takes a while: each is parsed.
+    pub fn read(folder: Option<&Path>) -> Self {
+        // Looked at before it is read: what is changed in between is noticed later.
+        let seen = folder.map(listing).unwrap_or_default();
+        let mut entries: Vec<Entry> =
+            SHIPPED.iter().map(|shipped| Entry::shipped(shipped.name, shipped.source)).collect();
+        entries.extend(seen.paths().map(Entry::of_file));
+        Self { entries, seen }
+    }
+
+    /// The user's folder as it was when it was read.
+    pub fn seen(&self) -> &Listing {
+        &self.seen
+    }
+
+    /// All, broken ones too.
+    pub fn entries(&self) -> &[Entry] {
+        &self.entries
+    }
+
+    /// The one from there.
+    pub fn from(&self, origin: &Origin) -> Option<&Entry> {
+        self.entries.iter().find(|entry| entry.origin == *origin)
+    }
+
+    /// The one that the command line means by `name`: one that ships before one of the user's. The whole library if
+    /// there is none.
+    pub fn into_named(mut self, name: &str) -> Result<Entry, Self> {
+        match self.entries.iter().position(|entry| entry.origin.name() == name) {
+            Some(at) => Ok(self.entries.swap_remove(at)),
+            None => Err(self),
+        }
+    }
+
+    /// Those of a kind, as they stand in a menu: by what they are called there.
+    pub fn of_kind(&self, kind: PluginKind) -> Vec<(&Entry, &Arc<Plugin>)> {
+        let read = self.entries.iter().filter_map(|entry| Some((entry, entry.plugin()?)));
+        let mut found: Vec<_> = read.filter(|(_, plugin)| plugin.description.kind == kind).collect();
+        found.sort_by(|(_, a), (_, b)| a.description.name.cmp(&b.description.name));
+        found
+    }
+
+    /// Those that can't be read, with the reason.
+    pub fn broken(&self) -> impl Iterator<Item = (&Origin, &ReadError)> {
+        self.entries.iter().filter_map(|entry| Some((&entry.origin, entry.read.as_ref().err()?)))
+    }
+
+    /// What `plugin` from `origin` is called on screen: its name, and where it is from if another one has that name too.
+    pub fn label(&self, origin: &Origin, plugin: &Plugin) -> String {
+        let name = &plugin.description.name;
+        let same = self.entries.iter().filter_map(Entry::plugin).filter(|other| other.description.name == *name);
+        if same.count() > 1 { format!("{name} ({})", origin.in_short()) } else { name.clone() }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn all_are_listed_and_told_apart() {
+        let home = tempfile::tempdir().expect("a folder");
+        let put = |name: &str, text: &[u8]| std::fs::write(home.path().join(name), text).expect("writable");
+        let scatter = SHIPPED.iter().find(|shipped| shipped.name == "scatter_clouds").expect("it ships");
+        put("scatter_clouds.rhai", scatter.source.as_bytes());
+        put("broken.rhai", b"const PLUGIN = #{ kind: \"edit\",\n  name: 7 };");
+        put("bytes.rhai", b"\xff\xfe");
+        put("large.rhai", &vec![b' '; FILE_BYTES + 1]);
+        put("notes.txt", b"no plugin");
+        std::fs::create_dir(home.path().join("folder.rhai")).expect("writable");
+        let library = Library::read(Some(home.path()));
+        assert_eq!(library.entries().len(), SHIPPED.len() + 5);
+        let generators = library.of_kind(PluginKind::Generator);
+        let labels: Vec<String> =
+            generators.iter().map(|(entry, plugin)| library.label(&entry.origin, plugin)).collect();
+        for label in ["Scatter clouds (shipped)", "Scatter clouds (scatter_clouds.rhai)"] {
+            assert!(labels.iter().any(|each| each == label), "{label} in {labels:?}");
+        }
+        let broken: Vec<(String, String)> =
+            library.broken().map(|(origin, error)| (origin.in_short(), error.to_string())).collect();
+        for ((name, error), (wanted, words)) in broken.iter().zip([
+            ("broken.rhai", "line 2, column 9: name is a whole number"),
+            ("bytes.rhai", "no text"),
+            ("folder.rhai", "it is a folder"),
+            ("large.rhai", "larger than 1 MB"),
+        ]) {
+            assert!(name == wanted && error.contains(words), "{name}: {error}");
+        }
+        assert_eq!(broken.len(), 4);
+        assert_eq!(library.seen(), &listing(home.path()));
+        let named = library.into_named("scatter_clouds").map(|entry| entry.origin);
+        assert_eq!(named.ok(), Some(Origin::Shipped("scatter_clouds")));
+        assert!(Library::read(Some(&home.path().join("none"))).broken().next().is_none());
+    }
+}
