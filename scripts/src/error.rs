@@ -2,7 +2,7 @@
 
 use crate::limits::Ended;
 use cloudwright_core::spelling::closest;
-use rhai::{EvalAltResult, ParseError, Position};
+use rhai::{EvalAltResult, LexError, ParseError, Position};
 use serde::{Deserialize, Serialize};
 use std::fmt;
 
@@ -96,6 +96,9 @@ impl ScriptError {
     pub(crate) fn of_parse(error: &ParseError) -> Self {
         use rhai::ParseErrorType as Type;
         let message = error.err_type().to_string();
+        if let Type::BadInput(LexError::Runtime(_)) = error.err_type() {
+            return Self::new(Fault::Limit, error.position(), message, "make it shorter, and its functions simpler");
+        }
         let hint = match error.err_type() {
             Type::Reserved(word) => not_here(word),
             Type::ExprTooDeep => "use names for parts of it",

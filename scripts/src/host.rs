@@ -60,7 +60,7 @@ impl Outcome {
 
 impl Plugin {
     /// Reads what a script says it is, and runs nothing of it. It needs no process of its own: what a parser does is
-    /// bounded by the text's size and depth, on a stack that holds that depth.
+    /// bounded by the text's size and depth, on a stack that holds that depth, and by the clock.
     ///
     /// # Errors
     /// If it is no program, does not say what it is, or lacks the function that runs it.

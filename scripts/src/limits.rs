@@ -4,7 +4,7 @@
 //! stack of its own (`STACK_BYTES`) that holds what these limits let through; memory in all is bounded by the process
 //! that it runs in ([`crate::caged`], [`MEMORY_BYTES`]).
 
-use rhai::Engine;
+use rhai::{Engine, LexError, Token};
 use serde::{Deserialize, Serialize};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -42,6 +42,8 @@ const FUNCTIONS: usize = 256;
 const TEXT_BYTES: usize = 64 << 10;
 /// Fields of a map, or of all maps in a list.
 const MAP_FIELDS: usize = LIST_ITEMS;
+/// What the parser may take: it compares each parameter of a function with all before it.
+const READING: Duration = Duration::from_secs(2);
 /// So many steps pass between two looks at the clock.
 const STEPS_A_LOOK: u64 = 256;
 
@@ -96,7 +98,7 @@ pub(crate) enum Ended {
     TooLate,
 }
 
-/// An engine with nothing in it but the language, and these limits.
+/// An engine with nothing in it but the language, and these limits. Its time to read a script begins now.
 pub(crate) fn bare_engine() -> Engine {
     let mut engine = Engine::new_raw();
     engine
@@ -116,5 +118,30 @@ pub(crate) fn bare_engine() -> Engine {
     for symbol in ["eval", "import", "export", "**", "**=", "curry"] {
         engine.disable_symbol(symbol);
     }
+    let until = Instant::now() + READING;
+    #[allow(deprecated, reason = "the engine marks so what is not deprecated but may change")]
+    engine.on_parse_token(move |token, _, _| {
+        let is_late = Instant::now() >= until;
+        if is_late { Token::LexError(Box::new(LexError::Runtime("it takes too long to read".into()))) } else { token }
+    });
     engine
+}
+
+#[cfg(test)]
+mod tests {
+    use super::READING;
+    use crate::{Fault, Plugin};
+    use std::time::Instant;
+
+    #[test]
+    fn what_a_parser_would_take_minutes_for_is_refused() {
+        let names: Vec<String> = (0..37_000).map(|i| format!("q{i}")).collect();
+        let head = r#"const PLUGIN = #{ name: "Test", kind: "edit", sentence: "For tests." };"#;
+        for begin in ["fn f(", "fn run(p) { let f = |"] {
+            let start = Instant::now();
+            let error = Plugin::read(&format!("{head}\n{begin}{}", names.join(","))).expect_err("no end");
+            assert!(matches!(error.fault, Fault::Limit | Fault::Syntax), "{error}");
+            assert!(start.elapsed() < READING * 3, "{error}: {:?}", start.elapsed());
+        }
+    }
 }

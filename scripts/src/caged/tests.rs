@@ -97,7 +97,7 @@ fn errors_keep_their_place_and_limits_hold() {
     );
     let told = error(asked(&large, &scene));
     assert_eq!((told.fault, told.message.as_str()), (Fault::Limit, "the script asks for more than 128 MiB"));
-    let mut broken = scene.clone();
+    let mut broken = scene;
     broken.time_of_day_h = f64::NAN;
     let told = error(asked(&endless, &broken));
     assert_eq!(told.fault, Fault::Broken, "{told}");
