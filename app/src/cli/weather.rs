@@ -6,7 +6,7 @@ use super::progress::Progress;
 use super::run::failure as plugin_failure;
 use super::{answer, counted, input, say};
 use crate::reports::{self, Line, MadeLayer, MakeError, Making, make, reading};
-use crate::state::starter_scene;
+use crate::state::empty_sky;
 use crate::storage::FileId;
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
@@ -37,7 +37,7 @@ out of the file. In a file each report is a line, and what is indented goes on w
 with # are passed over. Or it is JSON with rawOb or rawTAF, lat and lon, as aviationweather.gov answers."
 )]
 pub(super) struct Arguments {
-    /// Scene that takes the weather; the editor's new scene if not given
+    /// Scene that takes the weather; an empty one if not given, at the station's place: roughly, where that is not told
     scene: Option<PathBuf>,
     /// The report or forecast, quoted
     #[arg(long, value_name = "REPORT", group = "reports")]
@@ -104,7 +104,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let lines = lines(arguments)?;
     let scene = match &arguments.scene {
         Some(path) => opening::open(path)?.0,
-        None => starter_scene(),
+        None => empty_sky(),
     };
     if let Some(output) = &arguments.output {
         check_output(arguments, &scene, output)?;
@@ -125,7 +125,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         speed: arguments.speed,
         seed: arguments.seed,
         keeps_clouds: arguments.keep_clouds,
-        moves_site: arguments.scene.is_none() || !several,
+        moves_site: arguments.scene.is_none() || lines.iter().any(|line| line.place.is_some()) && !several,
         date: lines.iter().find_map(|line| line.date),
     };
     let mut document = Document::new(scene);

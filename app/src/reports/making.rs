@@ -28,7 +28,7 @@ pub struct Making {
     pub seed: u64,
     /// Whether the clouds that are there stay.
     pub keeps_clouds: bool,
-    /// Whether the scene moves to the reports' place, if they tell it.
+    /// Whether the scene moves to the reports' place: as they tell it, or roughly, by the station's name.
     pub moves_site: bool,
     /// The day, if it is known.
     pub date: Option<Date>,
@@ -158,8 +158,8 @@ fn site(before: &Site, told: &[Told], making: &Making) -> Site {
     let date = making.date.unwrap_or(before.date);
     let mut places: BTreeMap<&str, Place> = BTreeMap::new();
     for Told { report, place } in told {
-        if let Some(place) = place {
-            places.insert(&report.station, *place);
+        if let Some(place) = place.or_else(|| reported::roughly(&report.station)) {
+            places.insert(&report.station, place);
         }
     }
     let count = places.len() as f64;
@@ -216,7 +216,7 @@ fn lay(
     let Some(plugin) = plugin_of(&layer) else {
         return Ok(Some(MadeLayer { layer, plugin: None, clouds: Vec::new(), cover: Vec::new() }));
     };
-    let clouds = run(document, plugin, &layer, seed, patience)?;
+    let mut clouds = run(document, plugin, &layer, seed, patience)?;
     let derived = Derived::new(document.scene());
     let observer = Observer {
         from: Some(DVec3::new(0.0, ground_m(document.scene()) + EYE_M, 0.0)),
@@ -234,12 +234,18 @@ fn lay(
     for (asked_oktas, time_s) in strand.oktas().zip(times) {
         let found = known.iter().find(|(asked, ..)| *asked == asked_oktas).copied();
         let (_, count, measured_oktas) = found.unwrap_or_else(|| {
-            let (count, oktas) = nearest(asked_oktas, clouds.len(), asked_oktas == layer.oktas, &measured);
+            let (count, oktas) = nearest(asked_oktas, clouds.len(), &measured);
             known.push((asked_oktas, count, oktas));
             (asked_oktas, count, oktas)
         });
         counts.push(count);
         cover.push(Cover { time_s: *time_s, asked_oktas, measured_oktas });
+    }
+    // The last few that a plugin placed may have been too many.
+    let most = counts.iter().copied().max().unwrap_or_default();
+    let surplus: Vec<Thing> = clouds.drain(most..).map(Thing::Cloud).collect();
+    for edit in arrange::delete::things(document.scene(), &surplus).edits {
+        document.apply(edit)?;
     }
     come_and_go(document, &clouds, &counts, times)?;
     rise_and_fall(document, &clouds, strand, &layer, times)?;
@@ -250,16 +256,16 @@ fn ground_m(scene: &Scene) -> f64 {
     scene.ground.as_ref().map_or(0.0, |ground| ground.altitude_m)
 }
 
-/// How many of the clouds cover what is nearest to `asked` oktas, and what they do: all of them, at the layer's fullest,
-/// which they were made for; else by halving, as each one more hides more.
-fn nearest(asked: f64, all: usize, is_fullest: bool, measured: &impl Fn(usize) -> f64) -> (usize, f64) {
+/// How many of `all` clouds cover what is nearest to `asked` oktas, and what they do; by halving, as each one more hides
+/// more.
+fn nearest(asked: f64, all: usize, measured: &impl Fn(usize) -> f64) -> (usize, f64) {
     if asked <= 0.0 {
         return (0, 0.0);
     }
-    if is_fullest {
-        return (all, measured(all));
-    }
     let (mut low, mut high) = ((0, 0.0), (all, measured(all)));
+    if high.1 <= asked {
+        return high;
+    }
     while high.0 - low.0 > 1 {
         let middle = low.0.midpoint(high.0);
         let oktas = measured(middle);

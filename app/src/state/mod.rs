@@ -25,7 +25,7 @@ pub(crate) use reading::Reading;
 pub use selection::{Choose, Item, Selection};
 pub(crate) use selection::{box_of, group_of};
 pub use session::{Pending, Session};
-pub(crate) use starter::scene as starter_scene;
+pub(crate) use starter::{empty_sky, scene as starter_scene};
 pub(crate) use time_play::{MAX_STEP_S, TimePlay};
 pub(crate) use timeline::TimelineChange;
 pub use timeline::{TimeSnap, TimelineView};

@@ -22,6 +22,16 @@ pub(crate) fn scene() -> Scene {
     scene
 }
 
+/// A new scene whose camera looks up from the ground, under nothing.
+pub(crate) fn empty_sky() -> Scene {
+    let mut scene = Scene::default();
+    if let Some(camera) = scene.cameras.get_mut(0) {
+        camera.position = DVec3::new(0.0, 20.0, 3000.0);
+        camera.pitch_deg = 14.0;
+    }
+    scene
+}
+
 /// A level base, a body and two heads.
 fn cumulus(counter: &mut IdCounter) -> Vec<CloudBox> {
     let mut one = |name: &str, center: [f64; 3], size: [f64; 3], sprite_count, width: [f64; 2]| {

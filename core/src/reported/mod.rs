@@ -8,6 +8,7 @@
 mod air;
 mod expected;
 mod layers;
+mod regions;
 mod sky;
 mod stations;
 mod strands;
@@ -16,6 +17,7 @@ mod timeline;
 pub use air::{Air, EXTINCTION_AT_CONTRAST};
 pub use expected::expected;
 pub use layers::{Genus, PlannedLayer, layers};
+pub use regions::roughly;
 pub use sky::Sky;
 pub use stations::{Place, Told, Unordered, skies};
 pub use strands::{Strand, strands};
