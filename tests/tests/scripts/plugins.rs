@@ -70,7 +70,8 @@ fn check_shipped(name: &str, before: &Scene) {
         assert_eq!(document.undo_name(), Some(plugin.description.name.as_str()));
         document.undo();
     }
-    assert_eq!(scene_file::write(document.scene()), scene_file::write(before), "{name}");
+    let bytes = |scene: &Scene| scene_file::write(scene).expect("a scene");
+    assert!(bytes(document.scene()) == bytes(before), "{name}: undone, it is another scene");
     assert!(document.undo_name().is_none(), "{name}: more than one undo point");
 }
 
