@@ -123,8 +123,8 @@ fn layers_cover_what_was_asked_for_over_others() {
         ("stratocumulus_deck", "8", 8_000.0, 1_000.0),
         ("stratocumulus_deck", "4.5", 8_000.0, 1_000.0),
         ("stratocumulus_deck", "1.5", 8_000.0, 1_000.0),
-        ("altocumulus_sheet", "2", 10_000.0, 3_800.0),
-        ("altocumulus_sheet", "6", 10_000.0, 3_800.0),
+        ("altocumulus_sheet", "2", 12_000.0, 3_800.0),
+        ("altocumulus_sheet", "6", 12_000.0, 3_800.0),
     ] {
         let got = measured_oktas(name, &below, &[("oktas", oktas)], half_m, base_m);
         let wanted: f64 = oktas.parse().expect("a number");
