@@ -64,6 +64,11 @@ impl Recorder {
         self.draft.scene()
     }
 
+    /// Another number after each change of the scene.
+    pub(crate) fn revision(&self) -> usize {
+        self.edits.len()
+    }
+
     fn apply(&mut self, edit: Edit) -> Result<(), Said> {
         self.apply_and_tell(edit).map(|_| ())
     }

@@ -22,6 +22,13 @@ macro_rules! shipped {
     };
 }
 
+/// The parts, by name.
+const PARTS: &[(&str, &str)] = &[
+    ("boxes", include_str!("../plugins/parts/boxes.rhai")),
+    ("cumulonimbus", include_str!("../plugins/parts/cumulonimbus.rhai")),
+    ("cumulus", include_str!("../plugins/parts/cumulus.rhai")),
+];
+
 /// All that there are, by name.
 pub const SHIPPED: &[Shipped] = shipped! {
     "altocumulus_sheet" "boxes" "cover";
@@ -41,6 +48,11 @@ pub const SHIPPED: &[Shipped] = shipped! {
     "thunderstorm_life" "cumulonimbus" "cumulus" "boxes";
     "wind_lean" "chosen";
 };
+
+/// What several of them share: functions that make a kind of cloud, by the name of their file.
+pub fn part(name: &str) -> Option<&'static str> {
+    PARTS.iter().find(|(known, _)| *known == name).map(|(_, source)| *source)
+}
 
 /// The one of that name.
 pub fn named(name: &str) -> Option<&'static Shipped> {

@@ -188,7 +188,9 @@ fn clear(document: &mut Document) -> Result<(), MakeError> {
 }
 
 fn width_m(layer: &PlannedLayer) -> f64 {
-    (WIDTHS * layer.base_m).clamp(WIDTH_M[0], WIDTH_M[1])
+    // A thunder cloud has room of its own, and is seen from afar.
+    let is_lone = layer.genus == Genus::Cumulonimbus;
+    if is_lone { WIDTH_M[1] } else { (WIDTHS * layer.base_m).clamp(WIDTH_M[0], WIDTH_M[1]) }
 }
 
 /// Which plugin makes that kind of cloud.
@@ -307,6 +309,8 @@ fn values(plugin: &Plugin, layer: &PlannedLayer, seed: u64, scene: &Scene) -> Re
         ("thickness_m", layer.thickness_m),
         ("width_m", width_m),
         ("depth_m", width_m),
+        // Beside the towers; no part of the cover.
+        ("heaps", 0.0),
         ("wind_from_deg", scene.weather.wind_from_deg),
         ("seed", (seed % 1_000_000) as f64),
     ];

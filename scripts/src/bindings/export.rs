@@ -7,8 +7,8 @@ use super::placed::Placed;
 use super::{Answer, Shared, Usage};
 use crate::error::{Said, did_you_mean};
 use crate::limits::{EXPORTED_BYTES, Hears, Patience};
+use crate::recorder::Recorder;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::scene::Scene;
 use cloudwright_core::sprites::Sprite;
 use cloudwright_core::weather::{CloudNow, WeatherRules};
 use rhai::{Array, Dynamic, Engine, Map};
@@ -56,8 +56,8 @@ impl Exported {
         self.placed.took()
     }
 
-    fn table(&self, scene: &Scene, table: &Table) -> Result<Text, Said> {
-        self.placed.tell(scene, |derived| self.table_of(derived, table))
+    fn table(&self, recorder: &Recorder, table: &Table) -> Result<Text, Said> {
+        self.placed.tell(recorder, |derived| self.table_of(derived, table))
     }
 
     fn table_of(&self, derived: &Derived, table: &Table) -> Result<Text, Said> {
@@ -257,6 +257,6 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared, exported: Option<
             return Err(Said::script("sprite_table is for exporters", "kind: \"exporter\"").into());
         };
         let table = Table::read(&fields)?;
-        Ok(exported.table(own.borrow().scene(), &table)?)
+        Ok(exported.table(&own.borrow(), &table)?)
     });
 }

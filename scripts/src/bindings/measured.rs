@@ -88,7 +88,7 @@ fn oktas(recorder: &Shared, placed: &Placed, fields: &Map) -> Result<f64, Said> 
     let recorder = recorder.borrow();
     let scene = recorder.scene();
     let looked = Looked::read(fields, scene)?;
-    let oktas = placed.tell(scene, |derived| Ok(looked.oktas(scene, derived)))?;
+    let oktas = placed.tell(&recorder, |derived| Ok(looked.oktas(scene, derived)))?;
     placed.look(Duration::ZERO)?;
     Ok(oktas)
 }
@@ -97,7 +97,7 @@ fn bounds(recorder: &Shared, placed: &Placed, cloud: &Dynamic) -> Result<Array, 
     let id = CloudId(count("the cloud", cloud)?);
     let recorder = recorder.borrow();
     recorder.need(Thing::Cloud(id))?;
-    placed.tell(recorder.scene(), |derived| {
+    placed.tell(&recorder, |derived| {
         let cloud = derived.cloud(id).filter(|cloud| !cloud.sprites.is_empty());
         let cloud =
             cloud.ok_or_else(|| Said::script(format!("cloud/{id} has no sprites"), "its model has no boxes"))?;

@@ -3,9 +3,9 @@
 
 use crate::error::Said;
 use crate::limits::{Ended, Hears, Patience, TimeOf};
+use crate::recorder::Recorder;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
-use cloudwright_core::scene::Scene;
 use cloudwright_core::watch::Watch;
 use std::cell::{Cell, RefCell};
 use std::sync::Arc;
@@ -17,12 +17,20 @@ pub(crate) struct Placed {
     /// Hears, once, that placing begins and ends, if that is not the script's own time.
     hears: Cell<Option<Hears>>,
     derived: RefCell<Derived>,
+    /// The recorder's, of when they were placed.
+    revision: Cell<Option<usize>>,
     took: Cell<Duration>,
 }
 
 impl Placed {
     pub(crate) fn new(patience: &Patience, hears: Option<Hears>) -> Self {
-        Self { patience: patience.clone(), hears: Cell::new(hears), derived: RefCell::default(), took: Cell::default() }
+        Self {
+            patience: patience.clone(),
+            hears: Cell::new(hears),
+            derived: RefCell::default(),
+            revision: Cell::default(),
+            took: Cell::default(),
+        }
     }
 
     /// How long placing has taken so far.
@@ -35,19 +43,27 @@ impl Placed {
         self.patience.ended_now(unasked).map_or(Ok(()), |ended| Err(ended.into()))
     }
 
-    /// What `scene`'s sprites tell.
-    pub(super) fn tell<T>(&self, scene: &Scene, tell: impl FnOnce(&Derived) -> Result<T, Said>) -> Result<T, Said> {
-        let hears = self.hears.take();
-        let hear = |whose| hears.iter().for_each(|hears| hears(whose));
-        hear(TimeOf::Scene);
-        let start = Instant::now();
-        let watch = Watch::cancelled_by(Arc::clone(&self.patience.cancelled));
-        // What is as it was is found to be so, and kept.
-        let placed = self.derived.borrow().plan(scene, &Change::everything()).carry_out(&watch);
-        self.took.set(self.took.get() + start.elapsed());
-        hear(TimeOf::Script);
-        let Some(placed) = placed else { return Err(Ended::Cancelled.into()) };
-        self.derived.replace(placed);
+    /// What the sprites of the recorder's scene tell.
+    pub(super) fn tell<T>(
+        &self,
+        recorder: &Recorder,
+        tell: impl FnOnce(&Derived) -> Result<T, Said>,
+    ) -> Result<T, Said> {
+        if self.revision.get() != Some(recorder.revision()) {
+            let hears = self.hears.take();
+            let hear = |whose| hears.iter().for_each(|hears| hears(whose));
+            hear(TimeOf::Scene);
+            let start = Instant::now();
+            let watch = Watch::cancelled_by(Arc::clone(&self.patience.cancelled));
+            // What is as it was is found to be so, and kept.
+            let plan = |derived: &Derived| derived.plan(recorder.scene(), &Change::everything()).carry_out(&watch);
+            let placed = plan(&self.derived.borrow());
+            self.took.set(self.took.get() + start.elapsed());
+            hear(TimeOf::Script);
+            let Some(placed) = placed else { return Err(Ended::Cancelled.into()) };
+            self.derived.replace(placed);
+            self.revision.set(Some(recorder.revision()));
+        }
         tell(&self.derived.borrow())
     }
 }

@@ -1,6 +1,6 @@
 //! Places on the plane, as whole lists of [x, 0, z], metres, around the middle.
 
-use super::convert::{count, items, number, of_vector};
+use super::convert::{self, count, items, map, number, of_vector};
 use super::{Answer, Usage};
 use crate::error::Said;
 use crate::limits::LIST_ITEMS;
@@ -15,6 +15,11 @@ pub(super) const USAGE: &[Usage] = &[
         "scatter",
         "scatter(seed, 40, 20000, 12000, 1500)",
         "Up to so many within a width (east) and a depth (south), none nearer to another than the last number; fewer if they do not fit.",
+    ),
+    (
+        "sorted_by",
+        "sorted_by(list, \"rank\")",
+        "A list of maps in rising order of the numbers that they have under a name; what has equal ones stays in its order.",
     ),
 ];
 
@@ -71,7 +76,21 @@ fn scatter(seed: u64, wanted: usize, size: [f64; 2], apart: f64) -> Vec<[f64; 2]
     found
 }
 
+fn sorted_by(list: &Dynamic, name: &str) -> Result<Array, Said> {
+    let rank = |(i, each): (usize, Dynamic)| {
+        let what = format!("number {i} of the list");
+        let rank = map(&what, &each)?.get(name).map(|rank| number(&format!("its {name}"), rank));
+        let rank = rank.ok_or_else(|| Said::script(format!("{what} has no `{name}`"), "each map has it"))?;
+        Ok((rank?, each))
+    };
+    let given = convert::list("the list", list)?;
+    let mut ranked = given.into_iter().enumerate().map(rank).collect::<Result<Vec<_>, Said>>()?;
+    ranked.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    Ok(ranked.into_iter().map(|(_, each)| each).collect())
+}
+
 pub(super) fn register(engine: &mut Engine) {
+    engine.register_fn("sorted_by", |list: Dynamic, name: &str| -> Answer<Array> { Ok(sorted_by(&list, name)?) });
     engine.register_fn("grid", |columns: Dynamic, rows: Dynamic, apart: Dynamic| -> Answer<Array> {
         Ok(grid(&columns, &rows, &apart)?)
     });

@@ -5,32 +5,36 @@ use super::{Answer, Usage};
 use crate::error::Said;
 use cloudwright_core::random::{draw, unit};
 use rhai::{Array, Dynamic, Engine};
+use std::cell::Cell;
+use std::rc::Rc;
 
 pub(super) const USAGE: &[Usage] = &[
     (
         "random",
         "let r = random(parameters.seed), or random(seed, 2)",
-        "A stream of numbers; another one has another number.",
+        "A stream of numbers, which functions that it is handed to go on with; another one has another number.",
     ),
     ("unit", "r.unit()", "The next number between 0 and 1."),
     ("units", "r.units(200)", "The next so many, as a list."),
     ("between", "r.between(800, 1200)", "The next number between two."),
     ("integer", "r.integer(1, 6)", "The next whole number from the first to the second, both included."),
     ("pick", "r.pick(list)", "One of a list."),
+    ("drawn", "r.drawn()", "How many numbers were drawn so far."),
 ];
 
-/// Seed and number of the stream, and how many were drawn.
+/// Seed and number of the stream, and how many were drawn. A copy, such as a function gets, goes on with the same stream.
 #[derive(Debug, Clone)]
 struct Stream {
     seed: u64,
     stream: u64,
-    drawn: u64,
+    drawn: Rc<Cell<u64>>,
 }
 
 impl Stream {
     fn bits(&mut self) -> u64 {
-        let [a, b, ..] = draw(self.seed, self.stream, self.drawn as u32, (self.drawn >> 32) as u32);
-        self.drawn = self.drawn.wrapping_add(1);
+        let drawn = self.drawn.get();
+        let [a, b, ..] = draw(self.seed, self.stream, drawn as u32, (drawn >> 32) as u32);
+        self.drawn.set(drawn.wrapping_add(1));
         u64::from(a) << 32 | u64::from(b)
     }
 
@@ -57,7 +61,7 @@ impl Stream {
 }
 
 fn stream(seed: &Dynamic, stream: u64) -> Answer<Stream> {
-    Ok(Stream { seed: count("the seed", seed)?, stream, drawn: 0 })
+    Ok(Stream { seed: count("the seed", seed)?, stream, drawn: Rc::default() })
 }
 
 pub(super) fn register(engine: &mut Engine) {
@@ -77,6 +81,7 @@ pub(super) fn register(engine: &mut Engine) {
     engine.register_fn("integer", |stream: &mut Stream, from: Dynamic, to: Dynamic| -> Answer<i64> {
         Ok(stream.integer(&from, &to)?)
     });
+    engine.register_fn("drawn", |stream: &mut Stream| -> i64 { stream.drawn.get().try_into().unwrap_or(i64::MAX) });
     engine.register_fn("pick", |stream: &mut Stream, list: Array| -> Answer<Dynamic> {
         if list.is_empty() {
             return Err(Said::script("there is nothing to pick from", "the list is empty").into());

@@ -62,7 +62,7 @@ fn near(recorder: &Shared, placed: &Placed, cloud: &Dynamic, line: &Dynamic, met
     let recorder = recorder.borrow();
     let (id, _) = space(&recorder, cloud)?;
     let line: Vec<DVec3> = places("the places", line)?.into_iter().map(DVec3::from).collect();
-    placed.tell(recorder.scene(), |derived| {
+    placed.tell(&recorder, |derived| {
         let Some(cloud) = derived.cloud(id) else { return Ok(Array::new()) };
         // Far from all of it, none needs a look.
         let middle = cloud.origin + cloud.center.as_dvec3();
@@ -134,7 +134,7 @@ fn moved(recorder: &mut Recorder, of: &Dynamic, given: &Dynamic) -> Result<(), S
 fn grouped(recorder: &Shared, placed: &Placed, cloud: &Dynamic) -> Result<Array, Said> {
     let mut recorder = recorder.borrow_mut();
     let (id, _) = space(&recorder, cloud)?;
-    let arrangement = placed.tell(recorder.scene(), |derived| {
+    let arrangement = placed.tell(&recorder, |derived| {
         let scene = recorder.scene();
         let cloud = scene.cloud(id).zip(scene.cloud(id).and_then(|cloud| scene.model(cloud.model)));
         let populated = cloud.and_then(|(cloud, model)| derived.populated(model.id, cloud.seed.unwrap_or(model.seed)));

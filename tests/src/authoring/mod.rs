@@ -7,6 +7,7 @@
 pub mod aircraft;
 mod altocumulus;
 mod ball;
+mod by_plugin;
 mod cumulonimbus;
 mod cumulus;
 mod fair_weather;

@@ -3,8 +3,8 @@
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::scene::{
     Beyond, BoxId, Camera, CameraId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevels,
-    CullRadius, GroupCenter, GroupLight, KeyValue, Leaves, List, ModelId, PathId, PathKey, Scene, Track, TrackId,
-    TrackKey,
+    CullRadius, GroupCenter, GroupLight, IdCounter, KeyValue, Leaves, List, ModelId, PathId, PathKey, Scene, Track,
+    TrackId, TrackKey,
 };
 use glam::{DQuat, DVec3};
 
@@ -72,6 +72,17 @@ impl Sketch {
     pub fn roll(&self, from: f64, to: f64) -> f64 {
         self.rolls.set(self.rolls.get() + 1);
         from + (to - from) * unit(draw(self.seed, 0, self.rolls.get(), 0)[0])
+    }
+
+    /// The dice's seed, and how often it was rolled.
+    pub(super) fn dice(&self) -> (u64, u32) {
+        (self.seed, self.rolls.get())
+    }
+
+    /// Somebody else has rolled the dice meanwhile, and taken ids.
+    pub(super) fn go_on(&mut self, rolls: u32, next_id: IdCounter) {
+        self.rolls.set(rolls);
+        self.scene.next_id = next_id;
     }
 
     /// A new camera that looks from `position` to `target`.

@@ -5,7 +5,7 @@
 //! What only a process of its own can hold is in `tests/hostile/caged/`, and no row here: the sum of many values that are
 //! each within the limits (call levels × variables × size), and what grows without the engine's notice.
 
-use crate::scene;
+use crate::{scene, turn};
 use cloudwright_scripts::{Fault, Patience, Plugin, ScriptError};
 use cloudwright_tests::root;
 use std::fs;
@@ -22,6 +22,7 @@ fn refused(source: &str, patience: Duration) -> Result<(), ScriptError> {
 
 #[test]
 fn each_is_stopped_with_its_message() {
+    let _turn = turn();
     let mut count = 0;
     let mut wrong = String::new();
     let mut paths: Vec<_> = fs::read_dir(root().join("tests/hostile")).expect("a folder").flatten().collect();
