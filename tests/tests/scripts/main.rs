@@ -3,6 +3,7 @@
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
 mod hostile;
+mod library;
 mod plugins;
 
 use cloudwright_core::preset::Preset;
