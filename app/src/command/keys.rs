@@ -51,5 +51,8 @@ fn owner_of_delete() -> Id {
 
 fn belongs_to_text(row: &Row) -> bool {
     let plain = row.shortcut.is_some_and(|shortcut| !shortcut.modifiers.command);
-    plain || matches!(row.command, Command::Undo | Command::Redo | Command::Duplicate | Command::SelectAll)
+    let edits = matches!(row.command, Command::Undo | Command::Redo | Command::Duplicate | Command::SelectAll);
+    // To the beginning and the end of the text.
+    let moves = matches!(row.command, Command::MarkIn | Command::MarkOut);
+    plain || edits || moves
 }

@@ -258,6 +258,7 @@ commands! {
         SkyPanel: "Sky", "Show the panel of light, time and place.", NONE, Some(icon::SUN);
         FlightPanel: "Flight", "Show the panel of camera paths, aircraft and the scene's clock.", NONE, Some(icon::AIRPLANE_TILT);
         TimelinePanel: "Timeline", "Show the panel of keys over the scene's clock.", shift(Key::T), Some(icon::DIAMOND);
+        ScriptPanel: "Script", "Show the panel in which plugins are written.", NONE, Some(icon::MAGIC_WAND);
         ChartPanel: "Chart", "Show the panel of what each method costs and gets wrong.", NONE, Some(icon::CHART_SCATTER);
         HistoryPanel: "History", "Show the panel of changes.", NONE, Some(icon::CLOCK_COUNTER_CLOCKWISE);
         ProblemsPanel: "Problems", "Show the panel of what is wrong.", NONE, Some(icon::WARNING);

@@ -85,6 +85,8 @@ impl Editor {
                 Done::Remembered(Err(error)) => self.tell_error(format!("The settings can't be kept: {error}")),
                 Done::Remembered(Ok(())) => {}
                 Done::Exported { path, lines, outcome } => self.exported(&path, lines, outcome),
+                Done::ScriptRead { path, stamp, outcome } => self.script_read(&path, stamp, outcome),
+                Done::ScriptSaved { path, text, outcome } => self.script_saved(path, text, outcome, context),
                 Done::FolderShown(Err(error)) => self.tell_error(error.to_string()),
                 Done::FolderShown(Ok(())) => {}
                 Done::Recent(scenes) => self.dialogs.open(Dialog::Recent(scenes)),

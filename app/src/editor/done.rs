@@ -1,7 +1,8 @@
 //! What becomes of work on files, which is done off the frame.
 
+use crate::plugins::ReadError;
 use crate::saving::{SaveError, Saved};
-use crate::storage::StorageError;
+use crate::storage::{Stamp, StorageError};
 use cloudwright_core::document::SavedMark;
 use std::path::PathBuf;
 
@@ -18,6 +19,18 @@ pub(super) enum Done {
         path: PathBuf,
         lines: usize,
         outcome: Result<(), SaveError>,
+    },
+    /// A script was read, or could not be.
+    ScriptRead {
+        path: PathBuf,
+        stamp: Option<Stamp>,
+        outcome: Result<String, ReadError>,
+    },
+    /// A script was written with that text, or was not.
+    ScriptSaved {
+        path: PathBuf,
+        text: String,
+        outcome: Result<Stamp, StorageError>,
     },
     /// A folder was shown in the file manager, or could not be.
     FolderShown(Result<(), StorageError>),

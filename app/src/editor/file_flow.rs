@@ -7,6 +7,7 @@ use super::Editor;
 use super::dialogs::Dialog;
 use super::files::{Ask, Reply, Waiting};
 use super::intent::Intent;
+use super::script::Then;
 use crate::opening::{self, OpenError};
 use crate::panel::Panel;
 use crate::state::{Session, ViewState, starter_scene};
@@ -42,6 +43,7 @@ impl Editor {
                 self.toasts.forget_errors();
             }
             Intent::OpenFile(path) => self.open_path(&path),
+            Intent::Quit if self.writing.script.is_modified() => self.dialogs.open(Dialog::UnsavedScript(Then::Quit)),
             Intent::Quit => {
                 self.quitting = true;
                 context.send_viewport_cmd(egui::ViewportCommand::Close);
@@ -81,7 +83,7 @@ impl Editor {
             self.layout.offer(Panel::Timeline);
         }
         self.session = session;
-        self.plugins.leave();
+        self.leave_runs();
         self.disk.known = known;
         self.time_play.leave();
         self.clock.begin_anew();
@@ -104,7 +106,7 @@ impl Editor {
         self.waiting = None;
         match reply {
             Reply::Path(path) => self.use_path(&ask, path, true, context),
-            Reply::Cancelled => self.after_save = None,
+            Reply::Cancelled => self.give_up_what_follows(),
             Reply::NoDialog => self.dialogs.ask_path(ask),
         }
     }
@@ -114,6 +116,7 @@ impl Editor {
             // Something may have been changed while the dialog was open, so the question comes after it.
             Ask::Open => self.want(Intent::OpenFile(path), context),
             Ask::Save(_) => self.save_under(&path, asked_already, context),
+            Ask::SaveScript(_) => self.save_script_under(path, asked_already),
             Ask::Export(_) => self.export_to(path, asked_already),
             Ask::AircraftModel(id, _) => self.use_model(*id, &path),
         }
@@ -142,7 +145,8 @@ impl Editor {
     /// The window's own button: closing waits until files are written and the question is answered.
     pub(super) fn answer_close_request(&mut self, context: &egui::Context) {
         let asked = context.input(|input| input.viewport().close_requested());
-        if asked && !self.quitting && (self.disk.saving || self.session.document().is_modified()) {
+        let is_modified = self.session.document().is_modified() || self.writing.script.is_modified();
+        if asked && !self.quitting && (self.disk.saving || is_modified) {
             context.send_viewport_cmd(egui::ViewportCommand::CancelClose);
             self.want(Intent::Quit, context);
         }

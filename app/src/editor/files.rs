@@ -3,6 +3,7 @@
 //! The native dialog needs a desktop portal or zenity. Where there is neither it answers "cancelled" at once; the
 //! editor then asks for the path in a window of its own.
 
+use crate::plugins;
 use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::scene::AircraftId;
 use std::path::{Path, PathBuf};
@@ -16,6 +17,8 @@ pub enum Ask {
     Open,
     /// Of a scene to save, with the name to start from.
     Save(PathBuf),
+    /// Of a script to save, with the name to start from.
+    SaveScript(PathBuf),
     /// Of what an exporter made, with the name to start from.
     Export(PathBuf),
     /// Of that aircraft's model, which lies beside the scene's file.
@@ -52,15 +55,20 @@ impl FileDialogs for NativeDialogs {
         let dialog = match ask {
             Ask::AircraftModel(..) => dialog.add_filter("glTF models", &["glb"]),
             Ask::Open | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
+            Ask::SaveScript(_) => dialog.add_filter("Plugins", &[plugins::EXTENSION]),
             Ask::Export(_) => dialog,
         };
         let asked = Instant::now();
         // Made on this thread, as macOS wants it, and waited for on another.
         let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
             Ask::Open => Box::pin(dialog.set_title("Open scene").pick_file()),
-            Ask::Save(start) | Ask::Export(start) => {
+            Ask::Save(start) | Ask::Export(start) | Ask::SaveScript(start) => {
                 let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
-                let title = if matches!(ask, Ask::Save(_)) { "Save scene as" } else { "Export as" };
+                let title = match ask {
+                    Ask::Export(_) => "Export as",
+                    Ask::SaveScript(_) => "Save script as",
+                    _ => "Save scene as",
+                };
                 let dialog = dialog.set_title(title).set_file_name(name);
                 Box::pin(beside(start, dialog).save_file())
             }

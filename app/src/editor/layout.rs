@@ -72,8 +72,8 @@ impl Layout {
         }
     }
 
-    /// Brings a panel up, wherever it is. One that was closed comes back beside the inspector, the timeline below the
-    /// viewport; there it comes too from its first place, which is narrow.
+    /// Brings a panel up, wherever it is. One that was closed comes back beside the inspector, timeline and script
+    /// below the viewport; there the timeline comes too from its first place, which is narrow.
     pub(super) fn bring_up(&mut self, panel: Panel) {
         self.changed = true;
         self.untouched = false;
@@ -86,7 +86,7 @@ impl Layout {
         }
         let tile = found.unwrap_or_else(|| {
             let tile = self.tree.tiles.insert_pane(panel);
-            if panel == Panel::Timeline && self.put_below_viewport(tile) {
+            if matches!(panel, Panel::Timeline | Panel::Script) && self.put_below_viewport(tile) {
                 return tile;
             }
             let beside = self.tree.tiles.find_pane(&Panel::Inspector).and_then(|id| self.tree.tiles.parent_of(id));

@@ -21,6 +21,7 @@ mod plugins;
 mod recording;
 mod remember;
 mod save_flow;
+mod script;
 mod thinning;
 mod time_play;
 mod toasts;
@@ -48,6 +49,7 @@ use layout::Layout;
 use place_many::PlaceMany;
 use plugins::Plugins;
 use recording::Recording;
+use script::Writing;
 use std::cell::RefCell;
 use std::path::PathBuf;
 use std::time::Duration;
@@ -63,6 +65,7 @@ pub struct Editor {
     palette: Option<Palette>,
     place_many: Option<PlaceMany>,
     plugins: Plugins,
+    writing: Writing,
     thinning: Option<Thinning>,
     time_play: TimePlay,
     clock: Clock,
@@ -115,6 +118,7 @@ impl Editor {
             palette: None,
             place_many: None,
             plugins,
+            writing: Writing::new(context),
             thinning: None,
             time_play: TimePlay::default(),
             clock: Clock::default(),
@@ -250,6 +254,8 @@ impl Editor {
             recording,
             copied_levels,
             disk,
+            plugins,
+            writing,
             ..
         } = self;
         let reading = Reading {
@@ -265,6 +271,8 @@ impl Editor {
             levels_shown: layout.shows(Panel::ColorLevels),
             is_recording: recording.is_some(),
             flight_shown: layout.shows(Panel::Flight),
+            script: &writing.script,
+            library: plugins.library(),
             units: disk.settings().units,
         };
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
@@ -299,6 +307,7 @@ impl eframe::App for Editor {
         let context = ui.ctx().clone();
         self.take_up_what_is_done(&context);
         self.keep_plugins(&context);
+        self.keep_script(&context);
         self.tell_whether_work_is_kept();
         self.answer_file_dialogs(&context);
         self.take_dropped_files(&context);

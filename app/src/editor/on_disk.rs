@@ -45,7 +45,7 @@ impl Editor {
                 let mut session = Session::new(scene, Some(path.clone()));
                 let problems = session.load_beside();
                 self.session = session;
-                self.plugins.leave();
+                self.leave_runs();
                 self.disk.known = stamp;
                 self.view.keep_what_is_in(self.session.scene());
                 self.tell(format!("{} was changed by another program and is loaded anew", self.display_name()));

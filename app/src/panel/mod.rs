@@ -19,6 +19,7 @@ mod place_many;
 mod plugin;
 mod problems;
 mod progress;
+mod script;
 mod shading_groups;
 mod sky;
 mod status;
@@ -57,6 +58,8 @@ pub(crate) enum Panel {
     Flight,
     /// Keys over the scene's clock.
     Timeline,
+    /// Where plugins are written.
+    Script,
     /// What each method costs and gets wrong.
     Chart,
     /// All changes.
@@ -78,6 +81,7 @@ impl Panel {
             Self::Sky => "Sky",
             Self::Flight => "Flight",
             Self::Timeline => "Timeline",
+            Self::Script => "Script",
             Self::Chart => "Chart",
             Self::History => "History",
             Self::Problems => "Problems",
@@ -95,6 +99,7 @@ impl Panel {
             Self::Sky => icon::SUN,
             Self::Flight => icon::AIRPLANE_TILT,
             Self::Timeline => icon::DIAMOND,
+            Self::Script => icon::MAGIC_WAND,
             Self::Chart => icon::CHART_SCATTER,
             Self::History => icon::CLOCK_COUNTER_CLOCKWISE,
             Self::Problems => icon::WARNING,
@@ -112,6 +117,7 @@ impl Panel {
             Self::Sky => sky::show(ui, reading, actions),
             Self::Flight => flight::show(ui, reading, actions),
             Self::Timeline => timeline::show(ui, reading, actions),
+            Self::Script => script::show(ui, reading, actions),
             Self::Chart => chart::show(ui, reading, actions),
             Self::History => history::show(ui, reading, actions),
             Self::Problems => problems::show(ui, reading, actions),

@@ -4,8 +4,10 @@
 //! wrong with it. Two may have one name: each knows where it is from. Window and command line read the same library.
 
 mod chosen;
+mod templates;
 
 pub use chosen::carried_over;
+pub use templates::template;
 
 use crate::storage::{self, Listing, StorageError};
 use cloudwright_scripts::shipped::SHIPPED;
@@ -93,11 +95,7 @@ impl Entry {
 
     /// The one in a file.
     pub fn of_file(path: &Path) -> Self {
-        let read = || {
-            let bytes = storage::read(path, FILE_BYTES)?;
-            let source = String::from_utf8(bytes).map_err(|_| ReadError::NoText)?;
-            Ok(Arc::new(Plugin::read(&source)?))
-        };
+        let read = || Ok(Arc::new(Plugin::read(&source(path)?)?));
         Self { origin: Origin::File(path.into()), read: read() }
     }
 
@@ -105,6 +103,15 @@ impl Entry {
     pub fn plugin(&self) -> Option<&Arc<Plugin>> {
         self.read.as_ref().ok()
     }
+}
+
+/// The text of a plugin's file.
+///
+/// # Errors
+/// If it can't be read, or is no text.
+pub fn source(path: &Path) -> Result<String, ReadError> {
+    let bytes = storage::read(path, FILE_BYTES)?;
+    String::from_utf8(bytes).map_err(|_| ReadError::NoText)
 }
 
 /// The plugins in a folder as they lie there, to be watched.
@@ -165,46 +172,5 @@ impl Library {
         let name = &plugin.description.name;
         let same = self.entries.iter().filter_map(Entry::plugin).filter(|other| other.description.name == *name);
         if same.count() > 1 { format!("{name} ({})", origin.in_short()) } else { name.clone() }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn all_are_listed_and_told_apart() {
-        let home = tempfile::tempdir().expect("a folder");
-        let put = |name: &str, text: &[u8]| std::fs::write(home.path().join(name), text).expect("writable");
-        let scatter = SHIPPED.iter().find(|shipped| shipped.name == "scatter_clouds").expect("it ships");
-        put("scatter_clouds.rhai", scatter.source.as_bytes());
-        put("broken.rhai", b"const PLUGIN = #{ kind: \"edit\",\n  name: 7 };");
-        put("bytes.rhai", b"\xff\xfe");
-        put("large.rhai", &vec![b' '; FILE_BYTES + 1]);
-        put("notes.txt", b"no plugin");
-        std::fs::create_dir(home.path().join("folder.rhai")).expect("writable");
-        let library = Library::read(Some(home.path()));
-        assert_eq!(library.entries().len(), SHIPPED.len() + 5);
-        let generators = library.of_kind(PluginKind::Generator);
-        let labels: Vec<String> =
-            generators.iter().map(|(entry, plugin)| library.label(&entry.origin, plugin)).collect();
-        for label in ["Scatter clouds (shipped)", "Scatter clouds (scatter_clouds.rhai)"] {
-            assert!(labels.iter().any(|each| each == label), "{label} in {labels:?}");
-        }
-        let broken: Vec<(String, String)> =
-            library.broken().map(|(origin, error)| (origin.in_short(), error.to_string())).collect();
-        for ((name, error), (wanted, words)) in broken.iter().zip([
-            ("broken.rhai", "line 2, column 9: name is a whole number"),
-            ("bytes.rhai", "no text"),
-            ("folder.rhai", "it is a folder"),
-            ("large.rhai", "larger than 1 MB"),
-        ]) {
-            assert!(name == wanted && error.contains(words), "{name}: {error}");
-        }
-        assert_eq!(broken.len(), 4);
-        assert_eq!(library.seen(), &listing(home.path()));
-        let named = library.into_named("scatter_clouds").map(|entry| entry.origin);
-        assert_eq!(named.ok(), Some(Origin::Shipped("scatter_clouds")));
-        assert!(Library::read(Some(&home.path().join("none"))).broken().next().is_none());
     }
 }

@@ -2,6 +2,7 @@
 
 use super::charting::ChartChange;
 use super::clock::ClockChange;
+use super::script::ScriptChange;
 use super::selection::{Choose, Item};
 use super::timeline::TimelineChange;
 use super::view::Lens;
@@ -20,6 +21,8 @@ pub(crate) enum Action {
     Command(Command),
     /// Ask what is to be chosen of the plugin from there, and run it.
     Plugin(Origin),
+    /// Something about the script that is being written.
+    Script(ScriptChange),
     /// Values were changed: part of a gesture if `live`, which one undo point holds as a whole.
     Change {
         /// What the history calls it.

@@ -1,6 +1,7 @@
 //! What panels and viewport read in a frame.
 
-use super::{Charting, Clock, Session, TimePlay, ViewState};
+use super::{Charting, Clock, Script, Session, TimePlay, ViewState};
+use crate::plugins::Library;
 use crate::thumbnail::Thumbnails;
 use crate::units::Units;
 use cloudwright_core::scene::ColorLevels;
@@ -34,6 +35,10 @@ pub(crate) struct Reading<'a> {
     pub(crate) is_recording: bool,
     /// Whether the panel of flights is on the screen.
     pub(crate) flight_shown: bool,
+    /// The script that is being written.
+    pub(crate) script: &'a Script,
+    /// The plugins that there are.
+    pub(crate) library: &'a Library,
     /// What altitudes and speeds are shown in.
     pub(crate) units: Units,
 }

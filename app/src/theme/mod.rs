@@ -10,6 +10,7 @@ use egui::{
     Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Frame, Margin, RichText, Stroke, Style,
     Theme, Ui, Vec2, Visuals, vec2,
 };
+use egui_code_editor::{Color32Theme, ColorTheme};
 
 /// Between things that belong apart.
 pub(crate) const GAP: f32 = 8.0;
@@ -31,6 +32,10 @@ pub(crate) const PROGRESS_WIDTH: f32 = 140.0;
 pub(crate) const NUMBER_WIDTH: f32 = 62.0;
 /// Of a field for a seed, points.
 pub(crate) const SEED_WIDTH: f32 = 96.0;
+/// Of a script, points.
+pub(crate) const CODE_TEXT: f32 = 13.0;
+/// Of what stands beneath a script, points.
+pub(crate) const OUTPUT_HEIGHT: f32 = 72.0;
 /// Beside the number of a plugin's parameter, points.
 pub(crate) const PARAMETER_SLIDER_WIDTH: f32 = 104.0;
 /// Of the window's height, what the fields of a plugin may take before they scroll.
@@ -312,4 +317,21 @@ pub(crate) fn error(ui: &Ui) -> Color32 {
 /// What went well.
 pub(crate) fn good(ui: &Ui) -> Color32 {
     if ui.visuals().dark_mode { Color32::from_rgb(124, 204, 140) } else { Color32::from_rgb(32, 122, 58) }
+}
+
+/// Over a line of a script that is at fault.
+pub(crate) fn fault_line(ui: &Ui) -> Color32 {
+    error(ui).gamma_multiply(0.22)
+}
+
+/// The words of a script.
+pub(crate) fn code(ui: &Ui) -> Color32Theme {
+    let dark = ui.visuals().dark_mode;
+    let theme = if dark { ColorTheme::GITHUB_DARK } else { ColorTheme::GITHUB_LIGHT };
+    Color32Theme {
+        bg: ui.visuals().extreme_bg_color,
+        selection: ui.visuals().selection.bg_fill,
+        cursor: ui.visuals().strong_text_color(),
+        ..theme.into()
+    }
 }

@@ -23,6 +23,7 @@ mod plugins;
 mod recovery;
 mod remembering;
 mod renaming;
+mod script_panel;
 mod several;
 mod thinning;
 mod timeline;

@@ -99,7 +99,7 @@ impl Window {
     }
 
     /// Frames until the user's folder was looked at again, which happens at once when the window gets the focus.
-    fn look_again(&mut self) {
+    pub(crate) fn look_again(&mut self) {
         for focused in [false, true] {
             self.harness.input_mut().focused = focused;
             self.harness.event(Event::WindowFocused(focused));
@@ -320,10 +320,10 @@ fn files_that_come_change_and_go_are_noticed() {
     std::fs::remove_file(home.path("mine.rhai")).expect("there");
     window.look_again();
     window.wait("that it is gone", |window| window.shows("Its file is gone"));
-    window.set("Hour", 12.0);
+    window.set("Hour", 14.0);
     window.press("OK");
     window.wait("it is done", |window| window.undo_name().as_deref() == Some("Mine"));
-    assert_eq!(window.scene().time_of_day_h, 12.0);
+    assert_eq!(window.scene().time_of_day_h, 14.0);
     assert!(!window.harness.state().can(Command::RunAgain), "it is gone");
 }
 

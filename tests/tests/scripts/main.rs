@@ -4,6 +4,7 @@
 
 mod dice;
 mod hostile;
+mod library;
 mod plugins;
 mod reach;
 mod reading;

@@ -13,6 +13,7 @@ mod trouble;
 use super::Editor;
 use super::files::Ask;
 use super::intent::Intent;
+use super::script::Then;
 use crate::storage::{Orphan, Over};
 use crate::theme;
 use crate::visible;
@@ -29,6 +30,8 @@ use trouble::Trouble;
 pub(super) enum Dialog {
     /// This would lose changes.
     Unsaved(Intent),
+    /// This would lose what was written of a script.
+    UnsavedScript(Then),
     /// Whether to go back to the saved scene.
     Revert,
     /// A file that is not known stands where the scene is to be saved.
@@ -80,7 +83,7 @@ impl Dialogs {
     pub(super) fn ask_path(&mut self, ask: Ask) {
         let text = match &ask {
             Ask::Open => String::new(),
-            Ask::Save(path) | Ask::Export(path) => path.display().to_string(),
+            Ask::Save(path) | Ask::Export(path) | Ask::SaveScript(path) => path.display().to_string(),
             Ask::AircraftModel(_, scene) => scene.with_file_name("aircraft.glb").display().to_string(),
         };
         self.open(Dialog::Path { ask, text });
@@ -106,6 +109,14 @@ impl Editor {
                 question::SECOND => self.go(intent.clone(), context),
                 _ => {}
             },
+            Dialog::UnsavedScript(then) => {
+                let title = self.writing.script.title();
+                match Question::unsaved(&title).ask(context)? {
+                    question::FIRST => self.save_script_and(then.clone(), context),
+                    question::SECOND => self.after_script(then.clone(), context),
+                    _ => {}
+                }
+            }
             Dialog::Revert => {
                 if Question::revert(&name).ask(context)? == question::FIRST {
                     self.revert();
@@ -150,7 +161,7 @@ impl Editor {
             }
             Dialog::Path { ask, text } => match path::ask(context, ask, text)? {
                 Some(path) => self.use_path(&ask.clone(), path, false, context),
-                None => self.after_save = None,
+                None => self.give_up_what_follows(),
             },
             Dialog::Trouble(trouble) => trouble.show(context)?,
         }

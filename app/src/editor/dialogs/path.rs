@@ -11,6 +11,7 @@ pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Opti
     let (title, verb) = match ask {
         Ask::Open => ("Open scene", "Open"),
         Ask::Save(_) => ("Save scene as", "Save"),
+        Ask::SaveScript(_) => ("Save script as", "Save"),
         Ask::Export(_) => ("Export as", "Export"),
         Ask::AircraftModel(..) => ("Model of the aircraft", "Choose"),
     };

@@ -26,6 +26,7 @@ impl Editor {
         for action in actions {
             match action {
                 Action::Command(command) => self.perform(command, context),
+                Action::Script(change) => self.change_script(change, context),
                 Action::Plugin(origin) => self.ask_plugin(&origin, context),
                 Action::Select { items, through, how } => {
                     self.view.selection.choose(items, through, how);
@@ -291,6 +292,7 @@ impl Editor {
             Command::CurveView => self.view.timeline.curves ^= true,
             Command::FitTimeline => self.view.timeline.fit += 1,
             Command::TimelinePanel => self.layout.bring_up(Panel::Timeline),
+            Command::ScriptPanel => self.layout.bring_up(Panel::Script),
             Command::ChartPanel => self.layout.bring_up(Panel::Chart),
             Command::SkyPanel => self.layout.bring_up(Panel::Sky),
             Command::HistoryPanel => self.layout.bring_up(Panel::History),

@@ -1,11 +1,14 @@
 //! What is to be chosen of a plugin is being asked; the scene shows what would come of it, as an open gesture.
 
-use super::{LastRun, Run};
+use super::Run;
 use crate::editor::Editor;
 use crate::panel::{self, PluginAnswer};
 use crate::plugins::{Origin, carried_over};
 use cloudwright_scripts::{Outcome, PluginKind, ScriptError};
 use std::sync::Arc;
+
+/// Said of a plugin whose file has changed while it is asked about.
+const READ_AGAIN: &str = "Its file has changed and was read again.";
 
 /// A plugin whose values are being chosen.
 pub(super) struct Asked {
@@ -69,13 +72,15 @@ impl Editor {
         let Origin::File(_) = &asked.run.origin else { return };
         match self.plugins.library().from(&asked.run.origin).map(|entry| &entry.read) {
             Some(Ok(plugin)) if Arc::ptr_eq(plugin, &asked.run.plugin) => {}
-            // The folder was read again, and this one was not changed.
-            Some(Ok(plugin)) if *plugin == asked.run.plugin => asked.notice = None,
+            // The folder was read again, and this one is as it was: it may have been gone or broken meanwhile.
+            Some(Ok(plugin)) if *plugin == asked.run.plugin => {
+                asked.notice = asked.notice.take().filter(|notice| notice == READ_AGAIN);
+            }
             Some(Ok(plugin)) => {
                 asked.run.values = carried_over(&asked.run.values, plugin);
                 asked.run.plugin = Arc::clone(plugin);
                 asked.confirmed = false;
-                asked.notice = Some("Its file has changed and was read again.".into());
+                asked.notice = Some(READ_AGAIN.into());
             }
             Some(Err(error)) => {
                 asked.notice =
@@ -125,16 +130,9 @@ impl Editor {
 
     /// What the scene shows becomes an undo point.
     fn keep_run(&mut self, asked: Asked) {
-        let run = asked.run;
         let done = self.session.commit();
         if done.is_ok() {
-            let mark = self.session.document().mark();
-            self.remember_run(&run);
-            self.select_after(&run);
-            if mark == run.before {
-                self.tell(format!("{} has changed nothing", run.plugin.description.name));
-            }
-            self.plugins.last = Some(LastRun::new(run, mark));
+            self.ran(asked.run);
         }
         self.report(done);
     }

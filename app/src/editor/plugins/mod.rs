@@ -6,12 +6,13 @@
 mod asked;
 mod export;
 mod last;
+mod script_run;
 mod shelf;
 mod trial;
 
 use super::Editor;
 use crate::panel::{PluginForm, Said};
-use crate::plugins::{Library, Origin, ReadError};
+use crate::plugins::{self, Library, Origin, ReadError};
 use crate::state::{Item, Selection};
 use crate::storage::{self, Folders};
 use asked::Asked;
@@ -20,6 +21,7 @@ use cloudwright_core::problem::Problem;
 use cloudwright_core::scene::Cloud;
 use cloudwright_scripts::{Plugin, PluginKind, ScriptError, Values};
 use last::LastRun;
+pub(super) use script_run::ScriptRun;
 use shelf::Shelf;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
@@ -70,12 +72,6 @@ impl Plugins {
     pub(super) fn can_run_again(&self) -> bool {
         self.again.as_ref().is_some_and(|origin| self.library().from(origin).is_some())
     }
-
-    /// Another document has come: what was run on the one before is over.
-    pub(super) fn leave(&mut self) {
-        self.asked = None;
-        self.last = None;
-    }
 }
 
 impl Run {
@@ -108,17 +104,30 @@ impl Editor {
             }
             None => return self.tell_error(format!("The plugin is gone: {origin}")),
         };
+        if let Some(run) = self.run_of(origin, plugin, context) {
+            self.plugins.asked = Some(Asked::new(run));
+            context.request_repaint();
+        }
+    }
+
+    /// A run of `plugin` on the scene as it is, with the values that were chosen last. None if it can't be, which is told.
+    fn run_of(&mut self, origin: &Origin, plugin: Arc<Plugin>, context: &egui::Context) -> Option<Run> {
         if let Err(error) = self.session.commit() {
-            return self.tell_error(error.to_string());
+            self.tell_error(error.to_string());
+            return None;
         }
         let scene = Arc::new(self.session.scene().clone());
         let trial = match Trial::start(scene, self.view.selection.items(), context) {
             Ok(trial) => trial,
-            Err(error) => return self.tell_error(format!("The system gives no thread: {error}")),
+            Err(error) => {
+                self.tell_error(format!("The system gives no thread: {error}"));
+                return None;
+            }
         };
+        self.plugins.last = None;
         let chosen = self.plugins.chosen.get(origin);
-        let run = Run {
-            values: chosen.map_or_else(|| plugin.values(), |chosen| crate::plugins::carried_over(chosen, &plugin)),
+        Some(Run {
+            values: chosen.map_or_else(|| plugin.values(), |chosen| plugins::carried_over(chosen, &plugin)),
             origin: origin.clone(),
             plugin,
             trial,
@@ -126,10 +135,15 @@ impl Editor {
             before: self.session.document().mark(),
             error: None,
             printed: Vec::new(),
-        };
+        })
+    }
+
+    /// Another document has come: what was run on the one before is over.
+    pub(super) fn leave_runs(&mut self) {
+        self.plugins.asked = None;
         self.plugins.last = None;
-        self.plugins.asked = Some(Asked::new(run));
-        context.request_repaint();
+        self.writing.run = None;
+        self.writing.script.runs = false;
     }
 
     /// Asks for the last one again.

@@ -22,6 +22,17 @@ pub(crate) fn kind_name(kind: PluginKind) -> &'static str {
     }
 }
 
+/// What one plugin of a kind is called.
+pub(crate) fn kind_in_words(kind: PluginKind) -> &'static str {
+    match kind {
+        PluginKind::Generator => "Generator",
+        PluginKind::Edit => "Edit",
+        PluginKind::Look => "Look",
+        PluginKind::Weather => "Weather",
+        PluginKind::Exporter => "Exporter",
+    }
+}
+
 /// A submenu a kind, and one of those that are broken.
 pub(crate) fn menus(ui: &mut Ui, library: &Library, actions: &mut Vec<Action>) {
     if library.entries().is_empty() {

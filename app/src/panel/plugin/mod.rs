@@ -4,7 +4,7 @@
 mod menu;
 mod parameters;
 
-pub(super) use menu::{kind_name, menus};
+pub(super) use menu::{kind_in_words, kind_name, menus};
 
 use crate::plugins::Origin;
 use crate::theme::{self, icon};
