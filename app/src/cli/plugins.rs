@@ -64,7 +64,7 @@ fn list() -> Result<String, Failure> {
     for shipped in SHIPPED {
         let Found { plugin, .. } = find(shipped.name)?;
         let _ =
-            writeln!(text, "{:<18}{:<11}{}", shipped.name, plugin.description.kind.name(), plugin.description.sentence);
+            writeln!(text, "{:<20}{:<11}{}", shipped.name, plugin.description.kind.name(), plugin.description.sentence);
     }
     Ok(text)
 }
