@@ -89,7 +89,7 @@ fn list() -> String {
             Ok(plugin) => (plugin.description.kind.name(), plugin.description.sentence.clone()),
             Err(error) => ("broken", error.to_string()),
         };
-        let _ = writeln!(text, "{:<18}{kind:<11}{words}", origin.name());
+        let _ = writeln!(text, "{:<20}{kind:<11}{words}", origin.name());
     }
     as_seen(&text)
 }

@@ -84,10 +84,10 @@ fn what_there_is_and_what_can_be_set() {
     let list = place.run("plugins");
     assert_eq!(list.code, 0, "{}", list.stderr);
     for name in [
-        "scatter_clouds    generator",
-        "golden_hour       look",
+        "scatter_clouds      generator",
+        "golden_hour         look",
         "diurnal_cumulus     weather",
-        "sprite_table      exporter",
+        "sprite_table        exporter",
     ] {
         assert!(list.stdout.contains(name), "{}", list.stdout);
     }

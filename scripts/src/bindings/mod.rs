@@ -46,6 +46,7 @@ pub type Usage = (&'static str, &'static str, &'static str);
 pub const SUBJECTS: &[(&str, &[Usage])] = &[
     ("The scene", scene::USAGE),
     ("Things", things::USAGE),
+    ("Whole things", whole::USAGE),
     ("Many things at once", arrange::USAGE),
     ("Single sprites", sprites::USAGE),
     ("Camera paths", paths::USAGE),
@@ -71,6 +72,7 @@ pub(crate) fn register(
     parameters::register(engine);
     scene::register(engine, recorder);
     things::register(engine, recorder);
+    whole::register(engine, recorder);
     arrange::register(engine, recorder, selected);
     sprites::register(engine, recorder, &placed);
     paths::register(engine, recorder);

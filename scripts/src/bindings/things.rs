@@ -2,7 +2,7 @@
 
 use super::convert::{count, filled, map, of_id, vector};
 use super::scene::said;
-use super::{Answer, Shared, Usage, answer, whole};
+use super::{Answer, Shared, Usage, answer};
 use crate::error::{Said, did_you_mean};
 use crate::recorder::Recorder;
 use cloudwright_core::arrange::Arrangement;
@@ -47,12 +47,6 @@ pub(super) const USAGE: &[Usage] = &[
         "add_preset_model",
         "add_preset_model(\"cumulus_humilis\")",
         "Adds the model of a ready-made cloud alone; gives the model's id.",
-    ),
-    ("fields", "fields(\"path/3\")", "All that the file says of a thing, of sky, weather, place or ground, as a map."),
-    (
-        "change",
-        "change(\"path/3\", #{ keys: […] })",
-        "Gives it other fields, whole lists and tables too; of `ground`, adds one where there is none.",
     ),
     ("remove", "remove(\"cloud/7\")", "Takes a thing out with all that hangs on it; or the ground."),
 ];
@@ -234,12 +228,6 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     let own = Rc::clone(recorder);
     engine.register_fn("add_preset_model", move |name: ImmutableString| {
         answer(add_preset_model(&mut own.borrow_mut(), &name).and_then(of_id))
-    });
-    let own = Rc::clone(recorder);
-    engine.register_fn("fields", move |address: ImmutableString| answer(whole::fields(&own.borrow(), &address)));
-    let own = Rc::clone(recorder);
-    engine.register_fn("change", move |address: ImmutableString, fields: Map| {
-        answer(whole::change(&mut own.borrow_mut(), &address, &fields))
     });
     let own = Rc::clone(recorder);
     engine.register_fn("remove", move |address: ImmutableString| answer(remove(&mut own.borrow_mut(), &address)));

@@ -6,15 +6,26 @@
 use super::convert::{filled, of_thing};
 use super::scene::said;
 use super::things::{IDS, none_of};
+use super::{Shared, Usage, answer};
 use crate::error::Said;
 use crate::recorder::Recorder;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::problem;
 use cloudwright_core::property::{Described, Owner};
 use cloudwright_core::scene::Thing;
-use rhai::{Dynamic, Map};
+use rhai::{Dynamic, Engine, ImmutableString, Map};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
+use std::rc::Rc;
+
+pub(super) const USAGE: &[Usage] = &[
+    ("fields", "fields(\"path/3\")", "All that the file says of a thing, of sky, weather, place or ground, as a map."),
+    (
+        "change",
+        "change(\"path/3\", #{ keys: […] })",
+        "Gives it other fields, whole lists and tables too; of `ground`, adds one where there is none.",
+    ),
+];
 
 /// What has ids that others count on, and so is changed one by one.
 const ONE_BY_ONE: [(&str, &str); 3] = [
@@ -90,14 +101,23 @@ impl Whole<'_> {
 }
 
 /// The fields of what is at `address`.
-pub(super) fn fields(recorder: &Recorder, address: &str) -> Result<Dynamic, Said> {
+fn fields(recorder: &Recorder, address: &str) -> Result<Dynamic, Said> {
     let owner = address.parse().map_err(said)?;
     Whole { what: address, owner, fields: &Map::new() }.find(recorder).map(|(fields, _)| fields)
 }
 
 /// Gives it others.
-pub(super) fn change(recorder: &mut Recorder, address: &str, fields: &Map) -> Result<(), Said> {
+fn change(recorder: &mut Recorder, address: &str, fields: &Map) -> Result<(), Said> {
     let owner = address.parse().map_err(said)?;
     let (_, edit) = Whole { what: address, owner, fields }.find(recorder)?;
     recorder.replace(edit)
+}
+
+pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
+    let own = Rc::clone(recorder);
+    engine.register_fn("fields", move |address: ImmutableString| answer(fields(&own.borrow(), &address)));
+    let own = Rc::clone(recorder);
+    engine.register_fn("change", move |address: ImmutableString, fields: Map| {
+        answer(change(&mut own.borrow_mut(), &address, &fields))
+    });
 }

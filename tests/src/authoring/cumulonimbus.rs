@@ -9,7 +9,7 @@ use glam::DVec3;
 pub(super) fn scene() -> Scene {
     let mut sketch = Sketch::new("Cumulonimbus at dusk", 67);
     let parts = ["cumulonimbus", "cumulus", "boxes"];
-    let tower = by_plugin::model(&mut sketch, &parts, "cumulonimbus(dice, \"cumulonimbus\", 1.0, 1.0)");
+    let tower = by_plugin::model(&mut sketch, &parts, "", "cumulonimbus(dice, \"cumulonimbus\", 1.0, 1.0)");
     let congestus = Cumulus {
         base: [1500.0, 1100.0],
         height: 2300.0,

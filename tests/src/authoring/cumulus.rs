@@ -27,5 +27,5 @@ pub fn cumulus(sketch: &mut Sketch, name: &str, category: Category, c: &Cumulus)
         "cumulus(dice, \"{name}\", \"{category}\", #{{ base: {base:?}, height: {height:?}, heaps: {heaps}, \
          radius: {heap_radius:?}, peak: {peak:?}, wisps: {wisps} }})"
     );
-    by_plugin::model(sketch, &["cumulus", "boxes"], &call)
+    by_plugin::model(sketch, &["cumulus", "boxes"], "", &call)
 }

@@ -6,7 +6,6 @@
 
 pub mod aircraft;
 mod altocumulus;
-mod ball;
 mod by_plugin;
 mod cumulonimbus;
 mod cumulus;

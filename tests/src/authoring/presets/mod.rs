@@ -4,9 +4,7 @@
 //! so it is laid out by hand, box by box, instead of by dice. Each scene has one model, placed once, and one camera,
 //! `main`, that shows it as the picture to choose it by does.
 
-mod cumulonimbus;
-mod cumulus;
-mod pile;
+mod heaps;
 mod sheets;
 mod wisps;
 
@@ -16,14 +14,14 @@ use glam::DVec3;
 
 /// The name of each preset's file, without its ending, and how it is made.
 pub const PRESETS: &[NamedScene] = &[
-    ("cumulus_humilis", cumulus::humilis),
-    ("cumulus_congestus", cumulus::congestus),
-    ("solid_cumulus", cumulus::solid),
+    ("cumulus_humilis", heaps::humilis),
+    ("cumulus_congestus", heaps::congestus),
+    ("solid_cumulus", heaps::solid),
     ("stratocumulus", sheets::stratocumulus),
     ("altocumulus", sheets::altocumulus),
     ("stratus", sheets::stratus),
     ("nimbostratus", sheets::nimbostratus),
-    ("cumulonimbus", cumulonimbus::scene),
+    ("cumulonimbus", heaps::cumulonimbus),
     ("wisps", wisps::scene),
 ];
 
