@@ -6,8 +6,7 @@
 use super::Editor;
 use super::dialogs::Dialog;
 use super::files::{Ask, Reply, Waiting};
-use super::intent::Intent;
-use super::script::Then;
+use super::intent::{Intent, Then};
 use crate::opening::{self, OpenError};
 use crate::panel::Panel;
 use crate::state::{Session, ViewState, starter_scene};
@@ -116,8 +115,8 @@ impl Editor {
             // Something may have been changed while the dialog was open, so the question comes after it.
             Ask::Open => self.want(Intent::OpenFile(path), context),
             Ask::Save(_) => self.save_under(&path, asked_already, context),
-            Ask::SaveScript(_) => self.save_script_under(path, asked_already),
-            Ask::Export(_) => self.export_to(path, asked_already),
+            Ask::SaveScript(_) => self.save_script_under(&path, asked_already),
+            Ask::Export(_) => self.export_to(&path, asked_already),
             Ask::AircraftModel(id, _) => self.use_model(*id, &path),
         }
     }

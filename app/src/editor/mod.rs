@@ -306,7 +306,6 @@ impl eframe::App for Editor {
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
         self.take_up_what_is_done(&context);
-        self.keep_plugins(&context);
         self.keep_script(&context);
         self.tell_whether_work_is_kept();
         self.answer_file_dialogs(&context);
@@ -337,6 +336,7 @@ impl eframe::App for Editor {
         self.show_title(&context);
         self.autosave();
         self.watch_file(&context);
+        self.keep_plugins(&context);
         self.remember_look(&context);
     }
 

@@ -5,7 +5,7 @@
 use super::dialogs::Dialog;
 use super::done::Done;
 use super::files::Ask;
-use super::intent::Intent;
+use super::intent::{Intent, Then};
 use super::{Editor, plugins::ScriptRun};
 use crate::plugins::{self, Origin};
 use crate::state::{Script, ScriptChange};
@@ -31,13 +31,6 @@ pub(super) struct Writing {
     pub(super) run: Option<ScriptRun>,
     /// What is to follow when it is saved.
     after_save: Option<Then>,
-}
-
-/// What would lose text that is nowhere else.
-#[derive(Debug, Clone)]
-pub(super) enum Then {
-    Change(ScriptChange),
-    Quit,
 }
 
 impl Writing {
@@ -204,8 +197,9 @@ impl Editor {
     }
 
     /// Under a name that the user gave. Who chose it in a native dialog was asked there about a file that has it.
-    pub(super) fn save_script_under(&mut self, given: PathBuf, asked_already: bool) {
-        let path = if given.extension().is_some() { given.clone() } else { given.with_extension(plugins::EXTENSION) };
+    pub(super) fn save_script_under(&mut self, given: &Path, asked_already: bool) {
+        let path =
+            if given.extension().is_some() { given.to_path_buf() } else { given.with_extension(plugins::EXTENSION) };
         let over = if asked_already && path == given { Over::Anything } else { Over::Nothing };
         self.save_script_to(path, over);
     }

@@ -163,20 +163,12 @@ mod tests {
         .expect("a thread");
         let mut known = Listing::of(&folder, "rhai");
         assert_eq!(known.paths().count(), 0, "a folder that is not there is an empty one");
+        let put = |name: &str, text: &str| fs::write(folder.join(name), text).expect("writable");
+        fs::create_dir(&folder).expect("writable");
         let changes: [(&dyn Fn(), &[&str]); 4] = [
-            (
-                &|| fs::create_dir(&folder).and_then(|()| fs::write(folder.join("b.rhai"), "1")).expect("writable"),
-                &["b.rhai"],
-            ),
-            (
-                &|| {
-                    fs::write(folder.join("a.RHAI"), "")
-                        .and_then(|()| fs::write(folder.join("c.txt"), ""))
-                        .expect("writable")
-                },
-                &["a.RHAI", "b.rhai"],
-            ),
-            (&|| fs::write(folder.join("b.rhai"), "12").expect("writable"), &["a.RHAI", "b.rhai"]),
+            (&|| put("b.rhai", "1"), &["b.rhai"]),
+            (&|| ["a.RHAI", "c.txt"].iter().for_each(|name| put(name, "")), &["a.RHAI", "b.rhai"]),
+            (&|| put("b.rhai", "12"), &["a.RHAI", "b.rhai"]),
             (&|| fs::remove_file(folder.join("b.rhai")).expect("there"), &["a.RHAI"]),
         ];
         for (change, names) in changes {

@@ -12,8 +12,7 @@ mod trouble;
 
 use super::Editor;
 use super::files::Ask;
-use super::intent::Intent;
-use super::script::Then;
+use super::intent::{Intent, Then};
 use crate::storage::{Orphan, Over};
 use crate::theme;
 use crate::visible;

@@ -99,7 +99,7 @@ impl Editor {
             Ok(outcome) => outcome,
             Err(error) => {
                 asked.confirmed = false;
-                return asked.run.failed(error);
+                return asked.run.failed(&error);
             }
         };
         asked.run.error = None;
@@ -116,7 +116,7 @@ impl Editor {
             Err(error) => {
                 self.session.cancel();
                 asked.confirmed = false;
-                asked.run.failed(error);
+                asked.run.failed(&error);
             }
         }
         self.view.keep_what_is_in(self.session.scene());

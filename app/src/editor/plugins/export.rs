@@ -18,10 +18,10 @@ impl Editor {
     }
 
     /// Has it written under the name that was given, and leaves the exporter.
-    pub(in crate::editor) fn export_to(&mut self, given: PathBuf, asked_already: bool) {
+    pub(in crate::editor) fn export_to(&mut self, given: &Path, asked_already: bool) {
         let Some(mut asked) = self.plugins.asked.take() else { return };
         let Some(text) = asked.text.take() else { return self.plugins.asked = Some(asked) };
-        let path = if given.extension().is_some() { given.clone() } else { given.with_extension(EXTENSION) };
+        let path = if given.extension().is_some() { given.to_path_buf() } else { given.with_extension(EXTENSION) };
         // Who chose the name in a native dialog was asked there about a file that has it.
         let over = if asked_already && path == given { Over::Anything } else { Over::Nothing };
         let scene = asked.run.trial.scene().clone();

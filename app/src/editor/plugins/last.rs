@@ -46,7 +46,7 @@ impl Editor {
     fn replace_last(&mut self, last: &mut LastRun, ended: Result<Outcome, ScriptError>) {
         let outcome = match ended {
             Ok(outcome) => outcome,
-            Err(error) => return last.run.failed(error),
+            Err(error) => return last.run.failed(&error),
         };
         let had_changed = last.after != last.run.before;
         if had_changed {
@@ -65,7 +65,7 @@ impl Editor {
                 if had_changed {
                     self.session.redo();
                 }
-                last.run.failed(error);
+                last.run.failed(&error);
             }
         }
     }

@@ -82,14 +82,14 @@ impl Run {
     }
 
     /// Remembers why a run came to nothing.
-    fn failed(&mut self, why: impl ToString) {
+    fn failed(&mut self, why: &impl ToString) {
         self.error = Some(why.to_string());
         self.printed.clear();
     }
 }
 
 impl Editor {
-    /// Once a frame.
+    /// At the end of each frame.
     pub(super) fn keep_plugins(&mut self, context: &egui::Context) {
         self.plugins.shelf.keep_up(context.input(|input| input.focused));
     }

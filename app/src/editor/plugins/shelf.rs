@@ -12,27 +12,28 @@ pub(super) struct Shelf {
     /// None where the system gives no thread.
     reader: Option<Latest<(), Library>>,
     watcher: Option<Watcher<Listing>>,
+    is_begun: bool,
 }
 
 impl Shelf {
-    /// Begins to read: the window comes up meanwhile.
+    /// Nothing is read until the first frame is made.
     pub(super) fn new(context: &egui::Context, folder: Option<PathBuf>) -> Self {
         let [for_reader, for_watcher] = [context.clone(), context.clone()];
         let of = folder.clone();
         let read = move |()| Library::read(of.as_deref());
         let reader = Latest::start("plugins", read, move || for_reader.request_repaint()).ok();
-        if let Some(reader) = &reader {
-            reader.ask(());
-        }
         let watch =
             |_: &Path| Watcher::start(|path| Some(plugins::listing(path)), move || for_watcher.request_repaint());
         let watcher = folder.as_deref().and_then(|folder| watch(folder).ok());
-        Self { folder, library: Library::default(), reader, watcher }
+        Self { folder, library: Library::default(), reader, watcher, is_begun: false }
     }
 
-    /// Once a frame: takes up what was read, and sees that what has changed is read.
+    /// At the end of each frame: takes up what was read, and sees that what has changed is read.
     pub(super) fn keep_up(&mut self, focused: bool) {
         let Some(reader) = &self.reader else { return };
+        if !std::mem::replace(&mut self.is_begun, true) {
+            reader.ask(());
+        }
         if let Some(library) = reader.newest() {
             self.library = library;
         }

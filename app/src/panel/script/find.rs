@@ -17,26 +17,23 @@ pub(super) fn show(ui: &mut Ui, text: &str) -> Option<Range<usize>> {
     let mut sought: Sought = ui.data(|data| data.get_temp(id)).unwrap_or_default();
     let places = places(text, &sought.words);
     let mut wanted = None;
-    ui.horizontal(|ui| {
-        let field =
-            ui.add(TextEdit::singleline(&mut sought.words).id_source(id).hint_text("Find").desired_width(140.0));
-        name_it(ui, &field, "Find in the script");
-        if field.changed() {
-            sought.place = usize::MAX;
-        }
-        if field.lost_focus()
-            // The text, which gets the focus, is not to have it.
-            && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter))
-            && !places.is_empty()
-        {
-            sought.place = sought.place.wrapping_add(1) % places.len();
-            wanted = places.get(sought.place).cloned();
-        }
-        if !sought.words.is_empty() {
-            let count = places.len();
-            ui.weak(if count == 1 { "1 place".into() } else { format!("{count} places") });
-        }
-    });
+    let field = ui.add(TextEdit::singleline(&mut sought.words).id_source(id).hint_text("Find").desired_width(140.0));
+    name_it(ui, &field, "Find in the script");
+    if field.changed() {
+        sought.place = usize::MAX;
+    }
+    if field.lost_focus()
+        // The text, which gets the focus, is not to have it.
+        && ui.input_mut(|input| input.consume_key(Modifiers::NONE, Key::Enter))
+        && !places.is_empty()
+    {
+        sought.place = sought.place.wrapping_add(1) % places.len();
+        wanted = places.get(sought.place).cloned();
+    }
+    if !sought.words.is_empty() {
+        let count = places.len();
+        ui.weak(if count == 1 { "1 place".into() } else { format!("{count} places") });
+    }
     ui.data_mut(|data| data.insert_temp(id, sought));
     wanted
 }

@@ -15,9 +15,12 @@ use cloudwright_scripts::{PluginKind, ScriptError};
 use egui::{Button, Key, Label, Modifiers, Panel, RichText, ScrollArea, Ui};
 
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-    let mut asked = None;
-    ui.horizontal_wrapped(|ui| toolbar(ui, reading, &mut asked));
+    let (mut asked, mut wanted) = (None, None);
     let script = reading.script;
+    ui.horizontal_wrapped(|ui| {
+        toolbar(ui, reading, &mut asked);
+        wanted = find::show(ui, &script.text);
+    });
     if script.changed_on_disk {
         ui.horizontal_wrapped(|ui| {
             ui.colored_label(theme::warning(ui), "Another program has changed the file.");
@@ -29,7 +32,6 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
     if script.text.is_empty() && script.file.is_none() {
         ui.weak("Begin with a template, or open a plugin of your own or an example.");
     }
-    let wanted = find::show(ui, &script.text);
     Panel::bottom("script output")
         .resizable(true)
         .default_size(theme::OUTPUT_HEIGHT)
