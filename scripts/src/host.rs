@@ -209,6 +209,14 @@ fn engine() -> Engine {
     engine
 }
 
+/// All that a script can call, as Rhai's definition files have it.
+pub(crate) fn definitions() -> String {
+    let mut engine = engine();
+    let (recorder, patience) = (Recorder::new(&Scene::default()), Patience::usual());
+    bindings::register(&mut engine, &Rc::new(RefCell::new(recorder)), &[], None, &patience);
+    engine.definitions().with_headers(true).single_file()
+}
+
 /// Names of all functions of the engine.
 fn names(engine: &Engine) -> Vec<String> {
     let signatures = engine.gen_fn_signatures(true);

@@ -12,6 +12,7 @@ pub mod error;
 pub mod host;
 pub mod limits;
 mod literal;
+pub mod manual;
 pub mod parameter;
 mod recorder;
 pub mod shipped;

@@ -17,6 +17,7 @@ use std::sync::Arc;
   cloudwright plugins
   cloudwright plugins scatter_clouds
   cloudwright plugins mine.rhai
+  cloudwright plugins --manual > MANUAL.md
 
 The user's own lie in the folder `plugins` beside the settings, which the editor opens by Open plugin folder. Where one
 of them has the name of one that ships, the name means that one; give the file instead. What a plugin says of itself is
@@ -25,6 +26,9 @@ pub(super) struct Arguments {
     /// Plugin to describe, by its name or as a file, NAME.rhai; all of them in short if not given
     #[arg(value_name = "PLUGIN")]
     plugin: Option<String>,
+    /// The whole manual, as Markdown: all functions, and what ships
+    #[arg(long, conflicts_with = "plugin")]
+    manual: bool,
 }
 
 /// A plugin and where it is from.
@@ -35,6 +39,10 @@ pub(super) struct Found {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    if arguments.manual {
+        let manual = cloudwright_scripts::manual::manual();
+        return answer(&manual.map_err(|error| failure("a plugin that ships", &error))?);
+    }
     match &arguments.plugin {
         Some(word) => answer(&page(&find(word)?)),
         None => answer(&list()),

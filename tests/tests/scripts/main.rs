@@ -5,6 +5,7 @@
 mod dice;
 mod hostile;
 mod library;
+mod manual;
 mod plugins;
 mod reach;
 mod reading;
