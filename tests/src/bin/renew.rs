@@ -1,5 +1,5 @@
-//! Makes what is checked in again: `renew atlas | scenes | presets | models | schema | shortcuts | flip | charts |
-//! pictures DIR`.
+//! Makes what is checked in again: `renew atlas | scenes | presets | models | schema | shortcuts | manual | flip |
+//! charts | pictures DIR`.
 //!
 //! Run in the project's root. Tests say when one of them, charts and pictures apart, is stale.
 
@@ -10,6 +10,7 @@ use cloudwright_core::image::Picture;
 use cloudwright_core::raster::fast;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_scripts::manual;
 use cloudwright_tests::atlas;
 use cloudwright_tests::authoring::{self, NamedScene};
 use cloudwright_tests::{flip_pairs, with_shortcuts};
@@ -29,14 +30,21 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["models"] => write_models(),
         ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
         ["shortcuts"] => Ok(fs::write("README.md", with_shortcuts(&fs::read_to_string("README.md")?)?)?),
+        ["manual"] => write_manual(),
         ["flip"] => write_flip_pairs("tests/flip".as_ref()),
         ["charts"] => charts(),
         ["pictures", folder] => pictures(folder.as_ref(), ""),
         ["pictures", folder, only] => pictures(folder.as_ref(), only),
-        _ => Err("usage: renew atlas | scenes | presets | models | schema | shortcuts | flip | charts | pictures DIR \
-                 [SCENE]"
+        _ => Err("usage: renew atlas | scenes | presets | models | schema | shortcuts | manual | flip | charts | \
+                 pictures DIR [SCENE]"
             .into()),
     }
+}
+
+fn write_manual() -> Result<(), Box<dyn Error>> {
+    fs::write("scripts/MANUAL.md", manual::manual()?)?;
+    fs::create_dir_all("scripts/definitions")?;
+    Ok(fs::write("scripts/definitions/cloudwright.d.rhai", manual::definitions())?)
 }
 
 fn write_models() -> Result<(), Box<dyn Error>> {
