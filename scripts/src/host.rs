@@ -209,9 +209,9 @@ fn engine() -> Engine {
     engine
 }
 
-/// All that a script can call, as Rhai's definition files have it.
+/// What is registered besides the language's own, as Rhai's definition files have it.
 pub(crate) fn definitions() -> String {
-    let mut engine = engine();
+    let mut engine = Engine::new_raw();
     let (recorder, patience) = (Recorder::new(&Scene::default()), Patience::usual());
     bindings::register(&mut engine, &Rc::new(RefCell::new(recorder)), &[], None, &patience);
     engine.definitions().with_headers(true).single_file()

@@ -80,19 +80,18 @@ fn cell(text: &str) -> String {
     text.replace('|', "\\|")
 }
 
-/// All functions as a Rhai definition file, each with what it does.
+/// Our functions as a Rhai definition file, each with what it does. Lists, maps and numbers of either kind are `?`.
 pub fn definitions() -> String {
     let usage = |line: &str| -> Option<&Usage> {
-        let name = line.trim_start().strip_prefix("fn ")?.split('(').next()?;
+        let name = line.strip_prefix("fn ")?.split('(').next()?;
         SUBJECTS.iter().flat_map(|(_, list)| *list).find(|(known, ..)| *known == name)
     };
-    let plain = crate::host::definitions();
-    let mut text = String::with_capacity(2 * plain.len());
-    for line in plain.lines() {
-        if let Some((_, written, does)) = usage(line) {
-            let _ = writeln!(text, "/// {does}\n///\n/// `{written}`");
-        }
-        let _ = writeln!(text, "{}", line.trim_end());
+    let mut text = "module static;\n".to_owned();
+    for line in crate::host::definitions().lines() {
+        let Some((_, written, does)) = usage(line) else { continue };
+        // What it returns is told by the words: the engine knows only that it may fail.
+        let head = line.split(" ->").next().unwrap_or(line).trim_end_matches(';');
+        let _ = write!(text, "\n/// {does}\n///\n/// `{written}`\n{head} -> ?;\n");
     }
     text
 }

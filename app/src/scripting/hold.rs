@@ -57,7 +57,7 @@ mod tests {
     fn what_is_watched_is_found_too_large() {
         let (sender, found) = channel();
         let start = used().expect("the system tells");
-        watch(start + (256 << 20), move || drop(sender.send(()))).expect("a thread");
+        watch(start + (256 << 20), move || _ = sender.send(())).expect("a thread");
         assert!(found.recv_timeout(LOOK * 10).is_err(), "not yet");
         let mut filled = vec![1_u8; 512 << 20];
         assert!(found.recv_timeout(Duration::from_secs(20)).is_ok());
