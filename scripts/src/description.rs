@@ -221,8 +221,10 @@ fn run(p) { throw "it was run"; }
             let source = GOOD.replacen(from, to, 1);
             assert_ne!(source, GOOD, "{from}");
             let before = &source[..source.find(at).expect(at)];
-            let (line, column) =
-                (before.matches('\n').count() + 1, before.len() - before.rfind('\n').map_or(0, |end| end + 1) + 1);
+            let (line, column) = (
+                before.matches('\n').count() + 1,
+                before.lines().next_back().map_or(0, |line| line.chars().count()) + 1,
+            );
             let error = Plugin::read(&source).expect_err(to);
             assert_eq!(error.fault, Fault::Description, "{error}");
             assert!(error.to_string().contains(words), "{to}: no “{words}” in: {error}");

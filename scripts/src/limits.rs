@@ -41,7 +41,7 @@ const VARIABLES: usize = 256;
 const FUNCTIONS: usize = 256;
 const TEXT_BYTES: usize = 64 << 10;
 /// Fields of a map, or of all maps in a list.
-const MAP_FIELDS: usize = 5_000;
+const MAP_FIELDS: usize = 10_000;
 /// What the parser may take: it compares each parameter of a function with all before it.
 const READING: Duration = Duration::from_secs(2);
 /// So many steps pass between two looks at the clock.

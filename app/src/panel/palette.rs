@@ -152,7 +152,7 @@ mod tests {
         let does = |typed: &str| matches(typed, &library).first().map(|line| line.does);
         assert_eq!(does("und"), Some(Does::Command(Command::Undo)));
         assert_eq!(does("MIRROR up"), Some(Does::Command(Command::MirrorY)));
-        assert_eq!(does("scatter"), Some(Does::Plugin(&Origin::Shipped("scatter_clouds"))));
+        assert_eq!(does("scatter clouds"), Some(Does::Plugin(&Origin::Shipped("scatter_clouds"))));
         assert!(matches("tints of", &library).iter().any(|line| line.does == Does::Command(Command::GroupView)));
         assert!(matches("xyzzy", &library).is_empty());
         assert_eq!(matches("", &library).len(), TABLE.len() + library.entries().len());

@@ -106,6 +106,8 @@ const WIDTH_M: [f64; 2] = [12_000.0, 40_000.0];
 const BORDER: f64 = 0.12;
 /// Fog that is not as deep lies below an observer's eye.
 const EYE_LEVEL_M: f64 = 10.0;
+/// A thinner deck has gaps: fog that hides the sky is made as thick.
+const FOG_M: f64 = 300.0;
 /// Keys of bases that differ by less are left out, metres.
 const SAME_BASE_M: f64 = 1.0;
 
@@ -306,7 +308,7 @@ fn values(plugin: &Plugin, layer: &PlannedLayer, seed: u64, scene: &Scene) -> Re
     let told = [
         ("oktas", layer.oktas),
         ("base_m", base_m),
-        ("thickness_m", layer.thickness_m),
+        ("thickness_m", if layer.genus == Genus::Fog { layer.thickness_m.max(FOG_M) } else { layer.thickness_m }),
         ("width_m", width_m),
         ("depth_m", width_m),
         // Beside the towers; no part of the cover.

@@ -2,9 +2,10 @@
 
 use crate::{host, plugin, run_by, scene};
 use cloudwright::scripting::Request;
-use cloudwright_core::scene::Thing;
+use cloudwright_core::scene::{CameraPath, PathId, PathKey, Thing};
 use cloudwright_scripts::shipped::SHIPPED;
 use cloudwright_scripts::{Fault, Patience, Plugin};
+use glam::DVec3;
 use std::sync::Arc;
 use std::sync::atomic::Ordering;
 use std::time::{Duration, Instant};
@@ -12,7 +13,18 @@ use std::time::{Duration, Instant};
 #[test]
 fn shipped_plugins_make_what_they_make_in_one_thread() {
     let _alone = crate::alone();
-    let scene = scene();
+    let mut scene = scene();
+    // Some need one.
+    let id = PathId::new(&mut scene.next_id);
+    let key = |time_s: f64| PathKey {
+        time_s,
+        position: DVec3::new(200.0 * time_s, 900.0, 0.0),
+        heading_deg: 90.0,
+        pitch_deg: 0.0,
+        roll_deg: 0.0,
+    };
+    let keys = vec![key(0.0), key(20.0)];
+    scene.paths.push(CameraPath { id, name: "past".into(), field_of_view_deg: 60.0, keys });
     let selected: Vec<Thing> = scene.clouds.iter().map(|cloud| Thing::Cloud(cloud.id)).collect();
     for shipped in SHIPPED {
         let plugin = Plugin::read(shipped.source).expect(shipped.name);

@@ -2,6 +2,8 @@ use super::*;
 use crate::Fault;
 use crate::shipped::SHIPPED;
 use cloudwright_core::preset::Preset;
+use cloudwright_core::scene::{CameraPath, PathId, PathKey};
+use glam::DVec3;
 use std::sync::mpsc::{Sender, channel};
 
 /// Hands on what is written.
@@ -39,7 +41,18 @@ fn asked(plugin: &Plugin, scene: &Scene) -> Vec<u8> {
 
 #[test]
 fn what_comes_back_is_to_the_bit_what_one_thread_makes() {
-    let scene = Preset::ALL[0].scene();
+    let mut scene = Preset::ALL[0].scene();
+    // Some need one.
+    let id = PathId::new(&mut scene.next_id);
+    let key = |time_s: f64| PathKey {
+        time_s,
+        position: DVec3::new(200.0 * time_s, 900.0, 0.0),
+        heading_deg: 90.0,
+        pitch_deg: 0.0,
+        roll_deg: 0.0,
+    };
+    let keys = vec![key(0.0), key(20.0)];
+    scene.paths.push(CameraPath { id, name: "past".into(), field_of_view_deg: 60.0, keys });
     let selected: Vec<Thing> = scene.clouds.iter().map(|cloud| Thing::Cloud(cloud.id)).collect();
     let patience = Patience { until: None, ..Patience::usual() };
     let arranging = plugin(

@@ -34,6 +34,7 @@ mod walk;
 use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Start};
 use cloudwright::renderer::RendererChoice;
+use cloudwright::scripting::{self, Host};
 use cloudwright::state::{Item, Selection, Session};
 use cloudwright::storage::Folders;
 use cloudwright_core::formats::scene_file;
@@ -65,6 +66,8 @@ impl FileDialogs for Script {
 }
 
 fn start(dialogs: Script, folders: Option<Folders>) -> Start {
+    // This program has no such subcommand.
+    scripting::use_host(Host::at(env!("CARGO_BIN_EXE_script_host")));
     Start { scene: None, renderer: RendererChoice::Cpu, device: None, file_dialogs: Box::new(dialogs), folders }
 }
 
@@ -114,6 +117,11 @@ impl Window {
             self.harness.step();
         }
         panic!("{what}: in vain");
+    }
+
+    /// Whether a script was stopped: by the clock, or on a quick machine by the count of its steps.
+    fn shows_an_end(&self) -> bool {
+        self.shows("takes too long") || self.shows("more than a script may")
     }
 
     fn session(&self) -> &Session {

@@ -349,7 +349,7 @@ fn a_script_without_end_is_not_waited_for() {
     window.wait("the next run", |window| window.shows("3048.0 6"));
     assert!(begun.elapsed() < Patience::USUAL + Duration::from_millis(500), "it was stopped");
     window.set("Often", 5.0);
-    window.wait("its end", |window| window.shows("takes too long"));
+    window.wait("its end", Window::shows_an_end);
     assert!(window.shows("line "), "with its place");
     assert!(!window.session().document().is_open(), "and nothing is shown of it");
     window.node(Role::Button, "OK").click();

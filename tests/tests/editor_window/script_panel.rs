@@ -72,7 +72,7 @@ fn faults_are_told_while_typing_and_after_a_run() {
     window.press("Don't save");
     window.type_in_script("const LOOP = { loop { } };");
     window.press("Run the script");
-    window.wait("the end of a loop without end", |window| window.shows("takes too long"));
+    window.wait("the end of a loop without end", Window::shows_an_end);
     assert_eq!(window.undo_name().as_deref(), Some("New look"), "and nothing came of it");
 }
 
