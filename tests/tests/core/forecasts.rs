@@ -88,7 +88,7 @@ fn sky(groups: &str) -> Sky {
 #[test]
 fn between_skies_all_is_a_mean_by_weight() {
     let [west, east] = [sky("35010KT 4000 SCT020 BKN100 20/10"), sky("01030KT 8000 OVC030 10/08")];
-    let between = Sky::between(&[(3.0, west.clone()), (1.0, east.clone())]).expect("two skies");
+    let between = Sky::between(&[(3.0, west), (1.0, east.clone())]).expect("two skies");
     let near = |got: Option<f64>, wanted: f64| assert!((got.expect("known") - wanted).abs() < 1e-9, "{got:?} {wanted}");
     near(between.air.temperature_c, 17.5);
     near(between.air.dew_point_c, 9.5);
