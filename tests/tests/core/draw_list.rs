@@ -57,10 +57,12 @@ proptest! {
         sort_back_to_front(&mut all);
         prop_assert!(frame.list.sprites.len() <= all.len());
         let whole = Frame { list: DrawList::of_sprites(all, poses), ..frame.clone() };
-        // A pose is put together in one way for sprites near the eye and in another for all: some units in the last place.
+        // A pose is put together in one way for sprites near the eye and in another for all: some units in the last place,
+        // which grow for a sprite almost straight above the eye. A quarter of a step of eight bits shows nowhere; a sprite
+        // that is missing does.
         let (seen, whole) = (fast::clouds(&frame, NEVER_STOP), fast::clouds(&whole, NEVER_STOP));
         for (a, b) in seen.pixels.iter().zip(&whole.pixels) {
-            prop_assert!((a.r - b.r).abs().max((a.a - b.a).abs()) < 1e-4, "{a:?} for {b:?}");
+            prop_assert!((a.r - b.r).abs().max((a.a - b.a).abs()) < 1.0 / 1020.0, "{a:?} for {b:?}");
         }
     }
 }
