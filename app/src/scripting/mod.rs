@@ -1,7 +1,7 @@
 //! Plugins run: the one door through which window and command line have a script do something.
 //!
 //! Each run is a process of its own: this program once more, under a hidden subcommand, asked and heard by pipes. It holds
-//! itself within bounds of the system's ([`hold`]), and is ended here: when it is no longer wanted, when patience ends, when
+//! itself within bounds of the system's (`hold`), and is ended here: when it is no longer wanted, when patience ends, when
 //! it says what is no answer, and in any case once it has answered. Whatever it does or dies of, a run is an outcome or
 //! an error. The script's engine and what the two sides say are [`cloudwright_scripts::caged`]'s.
 

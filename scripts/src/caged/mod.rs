@@ -1,6 +1,6 @@
 //! A run in a process of its own: what its two sides say to each other, as bytes.
 //!
-//! One line of JSON goes in, the [`Request`]: scene, script, selection, values. Lines come back, a [`Message`] each:
+//! One line of JSON goes in, the `Request`: scene, script, selection, values. Lines come back, a [`Message`] each:
 //! whose time passes, and at last the outcome or the error. JSON, as all of it is a file's already and its floats come
 //! back to the bit. There are no processes here: who starts one, holds it and ends it is the program's business.
 //!
