@@ -57,9 +57,10 @@ proptest! {
         sort_back_to_front(&mut all);
         prop_assert!(frame.list.sprites.len() <= all.len());
         let whole = Frame { list: DrawList::of_sprites(all, poses), ..frame.clone() };
-        // A pose is put together in one way for sprites near the eye and in another for all: some units in the last place,
-        // which grow for a sprite almost straight above the eye. A quarter of a step of eight bits shows nowhere; a sprite
-        // that is missing does.
+        // A pose is put together in one way for sprites near the eye and in another for all: some units in the last place.
+        // What they come to in a pixel has no bound derived yet; 2.3e-4 has been met, at x 111.61165199333294,
+        // y 1016.1514692335077, z 35.49920793497468, heading 41.726986329992414, pitch 69.48790959857388, roll 0 and a
+        // field of view of 143.42987841697277. A quarter of a step of eight bits shows nowhere.
         let (seen, whole) = (fast::clouds(&frame, NEVER_STOP), fast::clouds(&whole, NEVER_STOP));
         for (a, b) in seen.pixels.iter().zip(&whole.pixels) {
             prop_assert!((a.r - b.r).abs().max((a.a - b.a).abs()) < 1.0 / 1020.0, "{a:?} for {b:?}");
