@@ -41,7 +41,9 @@ pub(crate) fn menu_bar(
                     plugin::menus(ui, library, actions);
                     ui.separator();
                 }
-                for row in TABLE.iter().filter(|row| row.menu == menu) {
+                // Who wants to write a plugin looks for the panel here.
+                let script = (menu == Menu::Plugins).then(|| Command::ScriptPanel.row());
+                for row in TABLE.iter().filter(|row| row.menu == menu).chain(script) {
                     let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
                     if let Some(shortcut) = &row.shortcut {
                         button = button.shortcut_text(ui.ctx().format_shortcut(shortcut));
