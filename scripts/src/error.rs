@@ -129,6 +129,11 @@ impl ScriptError {
                 let name = signature.split([' ', '(']).next().unwrap_or_default();
                 match usage(name) {
                     Some(usage) => new(Fault::Script, format!("there is no {signature}"), format!("write {usage}")),
+                    None if names.iter().any(|each| each == name) => new(
+                        Fault::Script,
+                        format!("there is no function {signature}"),
+                        format!("`{name}` is there, but takes other values"),
+                    ),
                     None => new(
                         Fault::Script,
                         format!("there is no function {signature}"),

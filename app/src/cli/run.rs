@@ -12,6 +12,7 @@ use cloudwright_core::document::Document;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::{Fault, Outcome, ParameterKind, Patience, Plugin, PluginKind, ScriptError, Values};
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -21,7 +22,8 @@ use std::path::{Path, PathBuf};
   cloudwright run sprite_table sky.cloudscene -o sky.xyz --set axes=z_up
 
 A plugin is one of those that `cloudwright plugins` lists, or a file that ends in .rhai; `cloudwright plugins NAME` tells
-what can be set. Exporters write a file other than a scene. Without SCENE the others begin with an empty day. If anything fails, nothing is written. Ctrl-C stops it.
+what can be set. Exporters write a file other than a scene. Without SCENE the others begin with an empty day. If anything fails, nothing is
+written. Ctrl-C stops it.
 Same plugin, scene and values: same scene, on every machine.")]
 pub(super) struct Arguments {
     /// Plugin to run, by its name or as a file, NAME.rhai
@@ -38,6 +40,9 @@ pub(super) struct Arguments {
     /// Another seed, for plugins that have one
     #[arg(long, value_name = "N")]
     seed: Option<u64>,
+    /// How long the script may take, 1 to 3600; about 2 if not given
+    #[arg(long, value_name = "SECONDS", value_parser = clap::value_parser!(u64).range(1..=3600))]
+    patience: Option<u64>,
     /// Replace a file that is there
     #[arg(long)]
     force: bool,
@@ -55,7 +60,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     input::check_scene_name(&arguments.output)?;
     check_output(arguments, &scene)?;
-    let outcome = outcome(&plugin, &scene, &values).map_err(|error| failure(&from, &error))?;
+    let outcome = outcome(arguments, &plugin, &scene, &values).map_err(|error| failure(&from, &error))?;
     let mut document = Document::new(scene);
     let (edits, printed) = (outcome.edits.len(), outcome.printed.clone());
     let done = outcome.apply(&plugin, &mut document);
@@ -66,9 +71,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     Ok(())
 }
 
-fn outcome(plugin: &Plugin, scene: &Scene, values: &Values) -> Result<Outcome, ScriptError> {
+fn outcome(arguments: &Arguments, plugin: &Plugin, scene: &Scene, values: &Values) -> Result<Outcome, ScriptError> {
     let progress = Progress::start_stoppable("running the plugin");
-    let patience = Patience { cancelled: progress.watch().cancelled(), ..Patience::usual() };
+    let time = arguments.patience.map_or(Patience::USUAL, Duration::from_secs);
+    let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + time) };
     scripting::run(Request { plugin, scene, selected: &[], values }, &patience)
 }
 
@@ -85,7 +91,8 @@ fn export(arguments: &Arguments, Found { from, plugin }: &Found, values: &Values
     }
     let scene = opening::open(path)?.0;
     input::check_output(&scene, path, output)?;
-    let Outcome { printed, text, .. } = outcome(plugin, &scene, values).map_err(|error| failure(from, &error))?;
+    let Outcome { printed, text, .. } =
+        outcome(arguments, plugin, &scene, values).map_err(|error| failure(from, &error))?;
     let text = text.unwrap_or_default();
     let over = if arguments.force { Over::Anything } else { Over::Nothing };
     storage::write_over(output, text.as_bytes(), over)
