@@ -102,6 +102,8 @@ impl From<NoSuchProperty> for MakeError {
 /// How wide a layer lies, in heights of its base, and what it is at least and at most, metres.
 const WIDTHS: f64 = 8.0;
 const WIDTH_M: [f64; 2] = [12_000.0, 40_000.0];
+/// How wide a field of heaps is at most, in heights of theirs: low ones are small, and a field is of so many.
+const HEAPS: f64 = 25.0;
 /// How far within the border of its field a drifting cloud is whole, as a share of its width.
 const BORDER: f64 = 0.12;
 /// Fog that is not as deep lies below an observer's eye.
@@ -190,9 +192,13 @@ fn clear(document: &mut Document) -> Result<(), MakeError> {
 }
 
 fn width_m(layer: &PlannedLayer) -> f64 {
-    // A thunder cloud has room of its own, and is seen from afar.
-    let is_lone = layer.genus == Genus::Cumulonimbus;
-    if is_lone { WIDTH_M[1] } else { (WIDTHS * layer.base_m).clamp(WIDTH_M[0], WIDTH_M[1]) }
+    let wide = (WIDTHS * layer.base_m).clamp(WIDTH_M[0], WIDTH_M[1]);
+    match layer.genus {
+        // A thunder cloud has room of its own, and is seen from afar.
+        Genus::Cumulonimbus => WIDTH_M[1],
+        Genus::Cumulus => wide.min(HEAPS * layer.thickness_m),
+        _ => wide,
+    }
 }
 
 /// Which plugin makes that kind of cloud.

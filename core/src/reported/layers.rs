@@ -80,6 +80,8 @@ pub struct PlannedLayer {
 
 /// No layer is thinner, metres.
 const THIN_M: f64 = 50.0;
+/// No heaps are: they grow into the layer above, as fair-weather cumulus do under a deck.
+const HEAP_M: f64 = 200.0;
 
 /// The layers of a report's sky, lowest first. A layer of which not even the cover is known is left out; one that only
 /// says CB or TCU stands for few of them.
@@ -91,7 +93,9 @@ pub fn layers(report: &Report) -> Vec<PlannedLayer> {
     let bases: Vec<f64> = planned.iter().map(|layer| layer.base_m).collect();
     for layer in planned.iter_mut().filter(|layer| !layer.genus.towers()) {
         let above = bases.iter().find(|base| **base >= layer.base_m + THIN_M);
-        layer.thickness_m = layer.thickness_m.min(above.map_or(f64::INFINITY, |base| base - layer.base_m));
+        let least = if layer.genus == Genus::Cumulus { HEAP_M } else { THIN_M };
+        let room = above.map_or(f64::INFINITY, |base| base - layer.base_m);
+        layer.thickness_m = layer.thickness_m.min(room.max(least));
     }
     planned
 }

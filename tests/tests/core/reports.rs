@@ -296,8 +296,9 @@ fn layers_have_their_genus_thickness_and_cover() {
         ("9999 SCT030TCU", &[(ToweringCumulus, 3.5, 4000.0)]),
         // To 11 km; the anvil may stand above the altocumulus, which ends nothing.
         ("9999 FEW030CB BKN100", &[(Cumulonimbus, 1.5, 11_000.0 - 914.4), (Altocumulus, 6.0, 400.0)]),
-        // Two hundred feet are 60.96 m of room.
-        ("9999 SCT010 BKN012", &[(Cumulus, 3.5, 60.96), (Stratocumulus, 6.0, 500.0)]),
+        // Two hundred feet are 60.96 m of room; heaps grow into what is above them.
+        ("9999 BKN010 OVC012", &[(Stratocumulus, 6.0, 60.96), (Stratus, 8.0, 300.0)]),
+        ("9999 SCT010 BKN012", &[(Cumulus, 3.5, 200.0), (Stratocumulus, 6.0, 500.0)]),
         ("0200 FG VV002", &[(Fog, 8.0, 60.96)]),
         ("0200 FG OVC001", &[(Fog, 8.0, 100.0), (Stratus, 8.0, 300.0)]),
         ("9999 MIFG NSC", &[(Fog, 8.0, 2.0)]),
