@@ -8,7 +8,7 @@ use super::selection::Item;
 use super::time_play::MAX_STEP_S;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::property::Number;
-use cloudwright_core::scene::{CameraPath, Formation, InScene, PathId, Scene};
+use cloudwright_core::scene::{CameraPath, InScene, PathId, Scene};
 
 /// Without a path the clock runs for so long at least, seconds.
 const LEAST_S: f64 = 60.0;
@@ -113,7 +113,7 @@ impl Clock {
         match self.path_to_fly(scene) {
             Some(path) => PathCurve::new(path).duration_s(),
             None => {
-                let formed = scene.clouds.iter().filter_map(|cloud| Some(end_s(cloud.formation.as_ref()?)));
+                let formed = scene.clouds.iter().filter_map(|cloud| Some(cloud.formation.as_ref()?.end_s()));
                 let keyed = scene.tracks.iter().filter_map(|track| Some(track.keys.last()?.time_s));
                 formed.chain(keyed).fold(LEAST_S, f64::max)
             }
@@ -228,17 +228,11 @@ impl Clock {
     }
 }
 
-/// When nothing of a change is left to come, seconds.
-fn end_s(formation: &Formation) -> f64 {
-    let Formation { start_s, core_s, edges_s, threshold, .. } = *formation;
-    start_s + core_s.max(threshold * core_s + edges_s)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::state::starter_scene;
-    use cloudwright_core::scene::{KeyValue, Track, TrackId, TrackKey};
+    use cloudwright_core::scene::{Formation, KeyValue, Track, TrackId, TrackKey};
 
     #[test]
     fn runs_to_its_end_or_round_and_never_jumps() {

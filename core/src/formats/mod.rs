@@ -4,5 +4,6 @@ pub mod metar;
 pub mod model_glb;
 pub mod pretty_json;
 pub mod scene_file;
+pub mod scene_glb;
 pub mod sprites_csv;
 pub mod sprites_json;

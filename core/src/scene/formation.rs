@@ -21,6 +21,13 @@ pub struct Formation {
     pub threshold: f64,
 }
 
+impl Formation {
+    /// When nothing of the change is left to come, seconds.
+    pub fn end_s(&self) -> f64 {
+        self.start_s + self.core_s.max(self.threshold * self.core_s + self.edges_s)
+    }
+}
+
 /// Which way a cloud changes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]

@@ -18,6 +18,7 @@ mod property;
 mod raster;
 mod reports;
 mod scene_file;
+mod scene_glb;
 mod shading;
 mod sprites;
 mod suite;
