@@ -149,3 +149,24 @@ fn words_are_found() {
     window.settle();
     assert!(window.script().contains("`add_model` and `ADD` give"), "{}", window.script());
 }
+
+/// README's walk-through ends with a plugin that runs, and can be taken back in one step.
+#[test]
+fn the_readmes_plugin_runs_word_for_word() {
+    let readme = std::fs::read_to_string(cloudwright_tests::root().join("README.md")).expect("it is there");
+    let (_, rest) = readme.split_once("```rhai\n").expect("it shows a plugin");
+    let (plugin, _) = rest.split_once("```").expect("the plugin ends");
+    let mut window = Window::with_script_panel();
+    let start = window.file();
+    window.choose_script("New plugin", "Generator");
+    window.node(Role::MultilineTextInput, "Script").focus();
+    window.settle();
+    window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
+    window.harness.event(Event::Paste(plugin.into()));
+    window.settle();
+    assert_eq!(window.script(), plugin);
+    window.keys(Modifiers::COMMAND, Key::Enter);
+    window.wait("the run", |window| window.undo_name().as_deref() == Some("Ring of clouds"));
+    window.command(Command::Undo);
+    assert_eq!((window.file(), window.undo_name()), (start, None));
+}
