@@ -14,7 +14,7 @@ use cloudwright_scripts::shipped::SHIPPED;
 use cloudwright_scripts::{Plugin, PluginKind, ScriptError};
 use std::fmt;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
 
 /// What a plugin's file ends in.
 pub const EXTENSION: &str = "rhai";
@@ -89,8 +89,16 @@ impl fmt::Display for Origin {
 }
 
 impl Entry {
-    fn shipped(name: &'static str, source: &str) -> Self {
-        Self { origin: Origin::Shipped(name), read: Plugin::read(source).map(Arc::new).map_err(ReadError::from) }
+    /// All that ship. They are read once: nothing changes them.
+    fn shipped() -> impl Iterator<Item = Self> {
+        static READ: LazyLock<Vec<(&str, Result<Arc<Plugin>, ScriptError>)>> = LazyLock::new(|| {
+            SHIPPED.iter().map(|shipped| (shipped.name, Plugin::read(shipped.source).map(Arc::new))).collect()
+        });
+        let entry = |(name, read): &(&'static str, Result<_, ScriptError>)| Self {
+            origin: Origin::Shipped(name),
+            read: read.clone().map_err(ReadError::from),
+        };
+        READ.iter().map(entry)
     }
 
     /// The one in a file.
@@ -120,12 +128,11 @@ pub fn listing(folder: &Path) -> Listing {
 }
 
 impl Library {
-    /// Reads all that ship, and those in the user's folder, if there is one. Takes a while: each is parsed.
+    /// All that ship, and those in the user's folder, if there is one. Takes a while: each is parsed.
     pub fn read(folder: Option<&Path>) -> Self {
         // Looked at before it is read: what is changed in between is noticed later.
         let seen = folder.map(listing).unwrap_or_default();
-        let mut entries: Vec<Entry> =
-            SHIPPED.iter().map(|shipped| Entry::shipped(shipped.name, shipped.source)).collect();
+        let mut entries: Vec<Entry> = Entry::shipped().collect();
         entries.extend(seen.paths().map(Entry::of_file));
         Self { entries, seen }
     }
