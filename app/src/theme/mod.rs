@@ -38,8 +38,12 @@ pub(crate) const CODE_TEXT: f32 = 13.0;
 pub(crate) const OUTPUT_HEIGHT: f32 = 72.0;
 /// Beside the number of a plugin's parameter, points.
 pub(crate) const PARAMETER_SLIDER_WIDTH: f32 = 104.0;
+/// Of a plugin's curve or report, points.
+pub(crate) const PARAMETER_WIDTH: f32 = 216.0;
 /// Of the window's height, what the fields of a plugin may take before they scroll.
 pub(crate) const FORM_SHARE: f32 = 0.5;
+/// As that, of a form that holds lists of its own.
+pub(crate) const WIDE_FORM_SHARE: f32 = 0.66;
 /// What is kept free for what a plugin says, points: two lines.
 pub(crate) const SAID_HEIGHT: f32 = 36.0;
 /// Of the column of names in the inspector, points.

@@ -30,6 +30,7 @@ mod timeline;
 mod tools;
 mod viewing;
 mod walk;
+mod weather_report;
 
 use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Start};

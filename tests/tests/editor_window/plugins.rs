@@ -2,7 +2,7 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::Reply;
+use cloudwright::editor::{Ask, Reply};
 use cloudwright::storage::Folders;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::shipped::{self, SHIPPED};
@@ -256,6 +256,92 @@ fn every_kind_of_parameter_has_a_field() {
     window.wait("what it began with", |window| window.shows("3048.0 9 true as is"));
 }
 
+/// An edit with a parameter of each kind that has a field of several lines, or a thing's name.
+const LARGE: &str = r#"const PLUGIN = #{ name: "Large", kind: "edit", sentence: "Prints.", parameters: [
+    #{ name: "way", label: "Way", kind: "path" },
+    #{ name: "day", label: "Over day", kind: "curve", unit: "°C", min: -10, max: 30, soft_min: 0, soft_max: 20, initial: [[0, 0], [10, 20]] },
+    #{ name: "report", label: "Report", kind: "metar" },
+] };
+fn run(parameters) {
+    set("time_of_day_h", 9.0);
+    print(`${parameters.way} ${parameters.day} ${parameters.report} at 5: ${curve_at(parameters.day, 5)}`);
+}
+"#;
+
+#[test]
+fn paths_curves_and_reports_have_fields_of_their_own() {
+    let home = Home::with(&[("large.rhai", LARGE)]);
+    let mut window = home.open();
+    window.command(Command::AddPath);
+    let path = window.scene().paths[0].clone();
+    window.ask_plugin(PluginKind::Edit, "Large");
+    let printed = |window: &mut Window, words: &str| window.wait(words, |window| window.shows(words));
+    printed(&mut window, "0 [[0.0, 0.0], [10.0, 20.0]]  at 5: 10.0");
+    window.node(Role::ComboBox, "Way").click();
+    window.settle();
+    window.harness.get_all_by_label(&path.name).last().expect("a choice").click();
+    printed(&mut window, &format!("{} [[", path.id.0));
+    // By the numbers of a point, by keys, and by the pointer.
+    window.node(Role::Slider, "Over day point 2").focus();
+    window.settle();
+    window.set("Over day y", 30.0);
+    printed(&mut window, "[[0.0, 0.0], [10.0, 30.0]]");
+    window.set("Over day y", 31.0);
+    assert!(window.shows("31 is outside -10 to 30 °C"));
+    window.set("Over day x", 8.0);
+    printed(&mut window, "[[0.0, 0.0], [8.0, 30.0]]");
+    window.node(Role::Slider, "Over day point 1").focus();
+    window.settle();
+    window.keys(Modifiers::NONE, Key::Insert);
+    printed(&mut window, "[[0.0, 0.0], [4.0, 15.0], [8.0, 30.0]]");
+    window.node(Role::Slider, "Over day point 2").focus();
+    window.settle();
+    window.keys(Modifiers::NONE, Key::ArrowRight);
+    window.keys(Modifiers::NONE, Key::ArrowDown);
+    printed(&mut window, "[4.5, 13.5]");
+    let [first, middle] =
+        ["Over day point 1", "Over day point 2"].map(|name| window.node(Role::Slider, name).rect().center());
+    window.pointer(middle, None);
+    window.pointer(middle, Some(true));
+    window.pointer(first, None);
+    window.pointer(first, Some(false));
+    printed(&mut window, "[[0.0, 0.0], [0.01, 0.0], [8.0, 30.0]]");
+    window.keys(Modifiers::NONE, Key::Delete);
+    printed(&mut window, "[[0.0, 0.0], [8.0, 30.0]]");
+    // A double click on the ground.
+    let last = window.node(Role::Slider, "Over day point 2").rect().center();
+    for pressed in [true, false, true, false] {
+        window.pointer(first.lerp(last, 0.5), Some(pressed));
+    }
+    printed(&mut window, "[4.0, 15.0]");
+    let at = window.node(Role::Slider, "Over day point 2").rect().center();
+    for pressed in [true, false] {
+        let button = egui::PointerButton::Secondary;
+        window.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE });
+        window.harness.step();
+    }
+    printed(&mut window, "[[0.0, 0.0], [8.0, 30.0]]");
+    window.node(Role::Slider, "Over day point 1").focus();
+    window.settle();
+    for _ in 0..2 {
+        window.keys(Modifiers::NONE, Key::Delete);
+    }
+    assert!(window.harness.query_by_role_and_label(Role::Slider, "Over day point 1").is_some(), "one is left");
+    window.press("Reset Over day");
+    printed(&mut window, "[[0.0, 0.0], [10.0, 20.0]]");
+    // While it is typed, spaces at its end stay.
+    window.node(Role::MultilineTextInput, "Report").focus();
+    window.settle();
+    for typed in ["EDDF 171220Z 24012KT ", "9999 F"] {
+        window.harness.event(Event::Text(typed.into()));
+        window.settle();
+    }
+    assert!(window.shows("column 27: “F” can't be read"));
+    window.harness.event(Event::Text("EW040".into()));
+    printed(&mut window, "EDDF 171220Z 24012KT 9999 FEW040 at 5");
+    assert!(!window.shows("can't be read"));
+}
+
 #[test]
 fn the_last_run_can_be_had_with_other_values() {
     let mut window = Window::open();
@@ -380,6 +466,7 @@ fn exporters_write_the_file_that_is_named() {
     window.answer(Reply::Cancelled);
     window.press("Export…");
     window.wait("the question", |window| window.script.asked.borrow().len() == 5);
+    assert_eq!(window.script.asked.borrow()[4], Ask::Export(table.clone()), "with the exporter's own ending");
     assert!(window.shows("Export…"), "not to name a file leaves the dialog");
     window.answer(Reply::Path(table.clone()));
     window.press("Export…");
