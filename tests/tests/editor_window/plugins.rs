@@ -8,7 +8,7 @@ use cloudwright_core::scene::Scene;
 use cloudwright_scripts::shipped::{self, SHIPPED};
 use cloudwright_scripts::{Patience, Plugin, PluginKind};
 use egui::accesskit::Role;
-use egui::{Event, Key, Modifiers};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2};
 use egui_kittest::kittest::Queryable;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
@@ -105,6 +105,15 @@ impl Window {
             self.harness.event(Event::WindowFocused(focused));
             self.harness.step();
         }
+    }
+
+    /// Clicks there, within one frame.
+    fn clicks(&mut self, pos: Pos2, button: PointerButton, count: usize) {
+        for pressed in [true, false].repeat(count) {
+            let event = Event::PointerButton { pos, button, pressed, modifiers: Modifiers::NONE };
+            self.harness.input_mut().events.push(event);
+        }
+        self.settle();
     }
 
     fn value_of(&self, role: Role, label: &str) -> String {
@@ -308,18 +317,15 @@ fn paths_curves_and_reports_have_fields_of_their_own() {
     printed(&mut window, "[[0.0, 0.0], [0.01, 0.0], [8.0, 30.0]]");
     window.keys(Modifiers::NONE, Key::Delete);
     printed(&mut window, "[[0.0, 0.0], [8.0, 30.0]]");
-    // A double click on the ground.
-    let last = window.node(Role::Slider, "Over day point 2").rect().center();
-    for pressed in [true, false, true, false] {
-        window.pointer(first.lerp(last, 0.5), Some(pressed));
-    }
-    printed(&mut window, "[4.0, 15.0]");
-    let at = window.node(Role::Slider, "Over day point 2").rect().center();
-    for pressed in [true, false] {
-        let button = egui::PointerButton::Secondary;
-        window.harness.event(Event::PointerButton { pos: at, button, pressed, modifiers: Modifiers::NONE });
-        window.harness.step();
-    }
+    // A double click on the ground, and a right click on a point.
+    let [first, last] =
+        ["Over day point 1", "Over day point 2"].map(|name| window.node(Role::Slider, name).rect().center());
+    let middle = first.lerp(last, 0.5);
+    window.pointer(middle, None);
+    window.clicks(middle, PointerButton::Primary, 2);
+    assert!(window.harness.query_by_role_and_label(Role::Slider, "Over day point 3").is_some(), "another point");
+    printed(&mut window, "[8.0, 30.0]]");
+    window.clicks(middle, PointerButton::Secondary, 1);
     printed(&mut window, "[[0.0, 0.0], [8.0, 30.0]]");
     window.node(Role::Slider, "Over day point 1").focus();
     window.settle();

@@ -28,6 +28,10 @@ impl Window {
         self.settle();
     }
 
+    fn shows_any(&self, words: &str) -> bool {
+        self.harness.query_all_by_label_contains(words).next().is_some()
+    }
+
     fn wait_for_sky(&mut self) {
         self.wait("a sky", |window| window.shows("Measured"));
     }
@@ -61,7 +65,7 @@ fn a_pasted_report_becomes_a_sky_in_one_undo_point() {
     }
     assert!(frames > 3, "{frames} frames went on while it was made");
     assert_eq!(window.undo_name(), None, "it is only shown");
-    assert!(window.shows("cumulus at 1\u{202F}219 m") && window.shows("1.5 oktas"), "with what it covers");
+    assert!(window.shows("cumulus at 1\u{202F}219 m") && window.shows_any("1.5 oktas"), "with what it covers");
     window.press("OK");
     assert_eq!(window.undo_name().as_deref(), Some(NAME));
     assert!(window.shows("The sky as reported: cumulus 1.") && !window.shows("Measured"));
@@ -93,7 +97,8 @@ fn what_is_no_report_makes_nothing_and_says_which_group() {
         window.press("OK");
         assert!(window.shows(said), "{text}: there is nothing to be done");
     }
-    window.paste_reports("");
+    // A line to be passed over.
+    window.paste_reports("# later");
     assert!(!window.shows("can't be read"));
     window.press("Cancel");
     assert_eq!((window.file(), window.undo_name()), (start, None));

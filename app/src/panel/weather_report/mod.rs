@@ -119,7 +119,7 @@ fn options(ui: &mut Ui, form: &WeatherForm<'_>, chosen: &mut WeatherChosen) {
         let has_times = lines.len() > 1 || lines.iter().any(|line| line.read.as_ref().is_ok_and(|it| it.len() > 1));
         if has_times {
             ui.label(SPEED.label).on_hover_text(SPEED.doc);
-            ui.horizontal(|ui| number_field(ui, SPEED.label, &SPEED, &mut chosen.speed, false));
+            ui.horizontal(|ui| number_field(ui, SPEED.label, &SPEED, &mut chosen.speed, true));
             ui.end_row();
         }
         for station in stations.iter().take(STATIONS) {
