@@ -23,6 +23,7 @@ pub(super) struct WeatherReport {
 }
 
 struct Asked {
+    is_new: bool,
     read: Read,
     tries: Trial<Wanted, Result<Sky, MakeError>>,
     /// The state that all tries begin with, and what was selected in it.
@@ -103,6 +104,7 @@ impl Asked {
         let cut = "Here the window's text ends; `cloudwright weather --file` reads more.";
         WeatherForm {
             lines: self.read.none.as_deref().map_or(Ok(&self.read.lines), Err),
+            is_new: self.is_new,
             made: self.made.as_ref(),
             said: Said {
                 error: self.error.as_deref(),
@@ -124,6 +126,7 @@ impl Editor {
         match tries(Arc::new(self.session.scene().clone()), context) {
             Ok(tries) => {
                 self.weather.asked = Some(Asked {
+                    is_new: true,
                     read: Read::new(&self.weather.chosen),
                     tries,
                     before: self.session.document().mark(),
@@ -150,6 +153,7 @@ impl Editor {
         }
         let mut chosen = std::mem::take(&mut self.weather.chosen);
         let answer = panel::ask_weather(context, &asked.form(self.disk.settings().units), &mut chosen);
+        asked.is_new = false;
         if !asked.read.is_of(&chosen) {
             asked.read = Read::new(&chosen);
         }

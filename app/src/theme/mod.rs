@@ -225,7 +225,10 @@ fn light(visuals: &mut Visuals) {
     visuals.error_fg_color = Color32::from_rgb(178, 34, 34);
     visuals.warn_fg_color = Color32::from_rgb(168, 92, 0);
     visuals.panel_fill = Color32::from_rgb(244, 245, 247);
-    visuals.window_fill = Color32::from_rgb(250, 250, 251);
+    // So far from white that fields of text stand out.
+    visuals.window_fill = Color32::from_rgb(240, 242, 245);
+    // Five times as dark as its ground at least.
+    visuals.weak_text_color = Some(Color32::from_gray(100));
     visuals.selection.bg_fill = ACCENT_LIGHT;
     visuals.selection.stroke.color = Color32::from_rgb(10, 48, 92);
     visuals.widgets.noninteractive.bg_stroke.color = Color32::from_rgb(214, 217, 222);

@@ -21,8 +21,10 @@ impl Window {
         if self.harness.query_by_role_and_label(Role::MultilineTextInput, "Reports").is_none() {
             self.command(Command::WeatherReport);
         }
-        self.node(Role::MultilineTextInput, "Reports").focus();
-        self.settle();
+        if !self.node(Role::MultilineTextInput, "Reports").is_focused() {
+            self.node(Role::MultilineTextInput, "Reports").focus();
+            self.settle();
+        }
         self.keys(Modifiers::COMMAND, Key::A);
         self.harness.event(Event::Paste(text.into()));
         self.settle();
@@ -54,6 +56,7 @@ fn a_pasted_report_becomes_a_sky_in_one_undo_point() {
     let (start, scene) = (window.file(), window.scene().clone());
     window.press("Plugins");
     window.press("Weather from a report…");
+    assert!(window.node(Role::MultilineTextInput, "Reports").is_focused(), "to be typed in at once");
     window.paste_reports(NOON);
     assert!(window.shows("EDDF on the 17th at 12:20 UTC"));
     assert!(window.shows("wind from 240° 22 km/h · visibility 10.0 km or more · FEW (1 to 2 oktas) at 1219 m"));

@@ -35,7 +35,7 @@ pub(super) fn rows(ui: &mut Ui, parameters: &[Parameter], scene: &Scene, units: 
             if !parameter.help.is_empty() && !is_flag {
                 name.on_hover_text(&parameter.help);
             }
-            let chosen = ui.horizontal(|ui| field(ui, parameter, &value, scene, units)).inner;
+            let chosen = ui.horizontal_top(|ui| field(ui, parameter, &value, scene, units)).inner;
             let chosen = chosen.or(reset(ui, parameter, &value));
             ui.end_row();
             if let Some(text) = chosen {
@@ -123,7 +123,7 @@ fn thing<'a>(
 /// Weather reports, and beneath them what of them can't be read.
 fn metar(ui: &mut Ui, label: &str, help: &str, text: &str) -> Option<String> {
     ui.set_width(theme::PARAMETER_WIDTH);
-    let typed = lines_field(ui, label, ["", help], METAR_ROWS, text);
+    let typed = lines_field(ui, label, ["", help], METAR_ROWS, false, text);
     let read = ui.memory_mut(|memory| memory.caches.cache::<FrameCache<Read, Reading>>().get(text).clone());
     refusals(ui, read.as_deref().map_err(String::as_str));
     typed

@@ -66,6 +66,8 @@ impl Default for WeatherChosen {
 pub(crate) struct WeatherForm<'a> {
     /// What was read; or why that is none.
     pub(crate) lines: Result<&'a [Line], &'a str>,
+    /// Whether it is shown for the first time.
+    pub(crate) is_new: bool,
     /// What the scene shows of it.
     pub(crate) made: Option<&'a Made>,
     pub(crate) said: Said<'a>,
@@ -84,7 +86,7 @@ pub(crate) fn ask_weather(context: &Context, form: &WeatherForm<'_>, chosen: &mu
         let height = ui.ctx().content_rect().height() * theme::WIDE_FORM_SHARE;
         ScrollArea::vertical().id_salt("form").max_height(height).show(ui, |ui| {
             ui.set_width(theme::WIDE_DIALOG_WIDTH);
-            if let Some(text) = lines_field(ui, "Reports", [HINT, HELP], ROWS, &chosen.text) {
+            if let Some(text) = lines_field(ui, "Reports", [HINT, HELP], ROWS, form.is_new, &chosen.text) {
                 chosen.text = text;
             }
             ui.add_space(theme::GAP);

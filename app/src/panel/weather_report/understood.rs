@@ -19,8 +19,8 @@ pub(super) fn show(ui: &mut Ui, lines: Result<&[Line], &str>, units: Units) {
     ScrollArea::vertical().id_salt("understood").max_height(HEIGHT).show(ui, |ui| {
         ui.set_width(ui.available_width());
         for report in reports.take(MOST) {
-            ui.label(words::head(report));
-            ui.add(Label::new(RichText::new(words::groups(report, units).join(" · ")).weak()).wrap());
+            ui.strong(words::head(report));
+            ui.add(Label::new(words::groups(report, units).join(" · ")).wrap());
         }
         if count > MOST {
             ui.weak(format!("and {} more", count - MOST));

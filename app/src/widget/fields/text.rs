@@ -42,12 +42,14 @@ pub(crate) fn text_field(ui: &mut Ui, label: &str, hint: &str, doc: &str, before
     (kept && typed != before).then_some(typed)
 }
 
-/// As [`text_field`], of several lines that scroll beyond `rows`; what was typed is told at once.
+/// As [`text_field`], of several lines that scroll beyond `rows`; what was typed is told at once. `focused` is whether it
+/// is to be typed in from this frame on.
 pub(crate) fn lines_field(
     ui: &mut Ui,
     label: &str,
     [hint, doc]: [&str; 2],
     rows: usize,
+    focused: bool,
     before: &str,
 ) -> Option<String> {
     let id: Id = ui.next_auto_id();
@@ -58,6 +60,9 @@ pub(crate) fn lines_field(
     let field = field.char_limit(MOST_CHARACTERS).desired_width(f32::INFINITY);
     let response = ScrollArea::vertical().id_salt(id).max_height(height).show(ui, |ui| ui.add(field)).inner;
     name_it(ui, &response, label);
+    if focused {
+        response.request_focus();
+    }
     let changed = response.changed();
     if response.has_focus() {
         ui.data_mut(|data| data.insert_temp(id, typed.clone()));
