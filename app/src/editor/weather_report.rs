@@ -176,7 +176,7 @@ impl Editor {
             self.show_sky(&mut asked, ended, context);
         }
         if asked.confirmed && asked.tries.is_of(&wanted) {
-            return self.keep_sky(asked);
+            return self.keep_sky(asked.made.as_ref());
         }
         self.weather.asked = Some(asked);
     }
@@ -213,9 +213,9 @@ impl Editor {
     }
 
     /// What the scene shows becomes an undo point; the covers are told.
-    fn keep_sky(&mut self, asked: Asked) {
+    fn keep_sky(&mut self, made: Option<&Made>) {
         let done = self.session.commit();
-        if let (Ok(()), Some(made)) = (&done, &asked.made) {
+        if let (Ok(()), Some(made)) = (&done, made) {
             self.tell(in_short(made));
         }
         self.report(done);

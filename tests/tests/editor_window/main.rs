@@ -19,6 +19,7 @@ mod off_frame;
 mod on_disk;
 mod paths_in_view;
 mod picture_choice;
+mod plugin_fields;
 mod plugins;
 mod recovery;
 mod remembering;

@@ -53,10 +53,9 @@ impl Editor {
             None => {}
         }
         // An exporter changes nothing that could be shown: it runs when it is to.
-        if !asked.exports() || asked.confirmed {
-            if let Some(ended) = asked.run.keep_up(context) {
-                self.show_outcome(&mut asked, ended, context);
-            }
+        let may_run = !asked.exports() || asked.confirmed;
+        if may_run && let Some(ended) = asked.run.keep_up(context) {
+            self.show_outcome(&mut asked, ended, context);
         }
         let is_done = asked.confirmed && asked.run.has_run();
         if is_done && !asked.exports() {
