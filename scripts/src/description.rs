@@ -4,7 +4,7 @@
 //! folder of plugins. Menu, dialog, flags of the command line and manual are to follow from this alone.
 
 use crate::error::{ScriptError, did_you_mean};
-use crate::literal::Literal;
+use crate::literal::{Fields, Literal};
 use crate::parameter::Parameter;
 use rhai::{AST, ASTFlags, Position, Stmt};
 
@@ -26,6 +26,8 @@ pub struct Description {
     pub author: String,
     /// As the author counts.
     pub version: String,
+    /// What the names of the files that an exporter writes end in, without the dot; empty of other kinds.
+    pub ending: String,
     /// What can be chosen, in the dialog's order.
     pub parameters: Vec<Parameter>,
 }
@@ -64,7 +66,11 @@ kinds! {
     Exporter: "exporter";
 }
 
-const FIELDS: &[&str] = &["name", "kind", "sentence", "author", "version", "parameters"];
+const FIELDS: &[&str] = &["name", "kind", "sentence", "author", "version", "ending", "parameters"];
+/// What files end in of which an exporter says nothing.
+const USUAL_ENDING: &str = "txt";
+/// No ending is longer.
+const LONGEST_ENDING: usize = 12;
 
 impl Description {
     /// What the script says it is.
@@ -92,14 +98,36 @@ impl Description {
             Some(list) => Self::parameters(list)?,
             None => Vec::new(),
         };
+        let kind = PluginKind::read(kind)?;
         Ok(Self {
             name: fields.need_text("name")?,
-            kind: PluginKind::read(kind)?,
+            kind,
+            ending: Self::ending(&fields, kind)?,
             sentence: fields.need_text("sentence")?,
             author: fields.text("author")?,
             version: fields.text("version")?,
             parameters,
         })
+    }
+
+    fn ending(fields: &Fields<'_>, kind: PluginKind) -> Result<String, ScriptError> {
+        let is_exporter = kind == PluginKind::Exporter;
+        let Some(literal) = fields.get("ending") else {
+            return Ok(if is_exporter { USUAL_ENDING.into() } else { String::new() });
+        };
+        let fault = |message: String, hint: &str| Err(ScriptError::description(literal.position, message, hint));
+        let ending = literal.text("ending")?;
+        if !is_exporter {
+            return fault(format!("kind {} writes no files", kind.name()), "an ending is for exporters");
+        }
+        let is_plain = ending.bytes().all(|b| b.is_ascii_lowercase() || b.is_ascii_digit());
+        if !is_plain || !(1..=LONGEST_ENDING).contains(&ending.len()) {
+            return fault(
+                format!("“{ending}” is no ending of files"),
+                "small letters and digits without a dot, such as csv",
+            );
+        }
+        Ok(ending.into())
     }
 
     fn parameters(literal: &Literal) -> Result<Vec<Parameter>, ScriptError> {
@@ -184,6 +212,20 @@ fn run(p) { throw "it was run"; }
         assert_eq!(shown, Some(("mode".into(), ParameterValue::Text("wild".into()))));
     }
 
+    #[test]
+    fn an_exporter_says_what_its_files_end_in() {
+        let read = |ending: &str| {
+            let written = format!("const PLUGIN = #{{ name: \"E\", kind: \"exporter\", sentence: \"E.\"{ending} }};");
+            Plugin::read(&written).map(|plugin| plugin.description.ending).map_err(|error| error.to_string())
+        };
+        assert_eq!(read(""), Ok("txt".into()));
+        assert_eq!(read(", ending: \"csv\""), Ok("csv".into()));
+        for bad in ["", ".csv", "a/b", "CSV", "ein sehr langes", "ä"] {
+            let error = read(&format!(", ending: \"{bad}\"")).expect_err(bad);
+            assert!(error.contains("is no ending of files (small letters"), "{error}");
+        }
+    }
+
     /// `from` in the good one replaced with `to`: the fault is where the text `at` begins.
     #[test]
     fn faults_have_their_place_and_say_what_was_meant() {
@@ -215,6 +257,7 @@ fn run(p) { throw "it was run"; }
             ("[0.5, 2]", "[0.5]", "[0.5]", "a point is a list, where a list of two numbers"),
             ("[0.5, 2]", "[0, 2]", "[[0, 1]", "to the right of the one before"),
             ("[0.5, 2]", "[0.5, 3]", "[[0, 1]", "0:1,0.5:3,1:1 is not a curve"),
+            ("author:", "ending: \"csv\", author:", "\"csv\"", "kind weather writes no files"),
             ("initial: 9", "initial: f()", "f()", "would have to be computed"),
             ("const PLUGIN", "let PLUGIN", "// A script", "does not say what it is"),
         ] {

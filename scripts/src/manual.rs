@@ -65,6 +65,9 @@ pub fn manual() -> Result<String, ScriptError> {
 
 fn page(text: &mut String, name: &str, description: &Description) {
     let _ = writeln!(text, "\n#### {} (`{name}`)\n\n{}\n", description.name, description.sentence);
+    if !description.ending.is_empty() {
+        let _ = writeln!(text, "Its files end in `.{}` if nothing else is given.\n", description.ending);
+    }
     if description.parameters.is_empty() {
         return;
     }

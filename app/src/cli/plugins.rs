@@ -109,6 +109,9 @@ fn page(found: &Found) -> String {
     if !by.trim().is_empty() {
         let _ = writeln!(text, "{}", by.trim());
     }
+    if !description.ending.is_empty() {
+        let _ = writeln!(text, "Its files end in .{} if nothing else is given.", description.ending);
+    }
     let _ = writeln!(text, "\n{}:", counted(description.parameters.len(), "parameter", "parameters"));
     for parameter in &description.parameters {
         let _ = writeln!(text, "  {:<16}{}", parameter.name, meaning(parameter));

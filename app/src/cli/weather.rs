@@ -5,9 +5,10 @@ use super::failure::{Failure, UNUSABLE_INPUT};
 use super::progress::Progress;
 use super::run::failure as plugin_failure;
 use super::{answer, counted, input, say};
-use crate::reports::{self, Line, MadeLayer, MakeError, Making, make, reading};
+use crate::reports::{self, Line, MOST_TIME, MadeLayer, MakeError, Making, make, reading, words};
 use crate::state::empty_sky;
 use crate::storage::FileId;
+use crate::units::Units;
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
 use cloudwright_core::formats::metar::{RefusedGroup, Report};
@@ -16,7 +17,7 @@ use cloudwright_core::scene::Scene;
 use cloudwright_scripts::Patience;
 use serde::Serialize;
 use std::path::PathBuf;
-use std::time::{Duration, Instant};
+use std::time::Instant;
 
 #[derive(Debug, clap::Args)]
 #[command(
@@ -70,9 +71,6 @@ pub(super) struct Arguments {
 
 /// Of a file of reports, and more than a year of them.
 const MOST_BYTES: usize = 4 << 20;
-/// A sky of many layers takes that long; Ctrl-C ends it before.
-const PATIENCE: Duration = Duration::from_secs(60);
-
 #[derive(Serialize)]
 struct Answer<'a> {
     reports: Vec<AnswerLine<'a>>,
@@ -130,7 +128,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     };
     let mut document = Document::new(scene);
     let progress = Progress::start_stoppable("making the sky");
-    let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + PATIENCE) };
+    let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + MOST_TIME) };
     let made = make(&mut document, &told, &making, &patience).map_err(|error| failure(arguments, error));
     drop(progress);
     let made = made?;
@@ -196,11 +194,8 @@ fn lines(arguments: &Arguments) -> Result<Vec<Line>, Failure> {
         (None, Some(metar)) => vec![reading::one(metar)],
         (None, None) => Vec::new(),
     };
-    for line in &mut lines {
-        let station = line.read.as_ref().ok().and_then(|reports| reports.first()).map(|report| &report.station);
-        let given = arguments.place.iter().find(|(name, _)| Some(name) == station);
-        line.place = given.map(|(_, place)| *place).or(line.place);
-    }
+    let given = |station: &str| arguments.place.iter().find(|(name, _)| name == station).map(|(_, place)| *place);
+    reading::put_stations(&mut lines, given);
     Ok(lines)
 }
 
@@ -208,10 +203,7 @@ fn lines(arguments: &Arguments) -> Result<Vec<Line>, Failure> {
 fn place_of_station(text: &str) -> Result<(String, Place), String> {
     let read = || {
         let (station, place) = text.split_once('=')?;
-        let (latitude, longitude) = place.split_once(',')?;
-        let degrees = |text: &str, most: f64| text.trim().parse::<f64>().ok().filter(|deg| deg.abs() <= most);
-        let place = Place { latitude_deg: degrees(latitude, 90.0)?, longitude_deg: degrees(longitude, 180.0)? };
-        Some((station.trim().to_ascii_uppercase(), place))
+        Some((station.trim().to_ascii_uppercase(), reading::place_of(place)?))
     };
     read().ok_or_else(|| "write it as EDDF=50.03,8.57: degrees north, and degrees east".into())
 }
@@ -234,14 +226,9 @@ fn tell_json<'a>(lines: &'a [Line], made: Option<&'a reports::Made>) -> Result<(
 
 /// `BKN cumulus, base 1070 m, 800 m thick: 14 clouds, 5.8 oktas where 6 are asked for`.
 fn tell_layer(made: &MadeLayer) {
-    let MadeLayer { layer, clouds, cover, .. } = made;
-    let genus = serde_json::to_value(layer.genus).unwrap_or_default();
-    let genus = genus.as_str().unwrap_or_default().replace('_', " ");
-    let assumed = if layer.base_assumed { " (assumed)" } else { "" };
-    let what =
-        format!("{genus}, base {:.0} m above the station{assumed}, {:.0} m thick", layer.base_m, layer.thickness_m);
-    let fullest = cover.iter().copied().reduce(|a, b| if b.asked_oktas > a.asked_oktas { b } else { a });
-    match fullest {
+    let MadeLayer { layer, clouds, .. } = made;
+    let what = words::layer(layer, Units::Metric);
+    match made.fullest() {
         Some(cover) => say(&format!(
             "{what}: {}, {:.1} oktas where {} are asked for",
             counted(clouds.len(), "cloud", "clouds"),

@@ -247,6 +247,7 @@ commands! {
         FitTimeline: "Fit timeline", "Bring the chosen keys into sight, or all: over the timeline, F.", NONE, Some(icon::ARROWS_LEFT_RIGHT);
     }
     Plugins {
+        WeatherReport: "Weather from a report…", "Paste METARs or TAFs: the scene takes their air, their hour and their clouds.", NONE, Some(icon::CLOUD);
         RunAgain: "Run again…", "Ask what is to be chosen of the plugin that was run last, and run it once more.", NONE, Some(icon::REPEAT);
         OpenPluginFolder: "Open plugin folder", "Show the folder in which plugins of your own lie.", NONE, None;
     }

@@ -56,7 +56,11 @@ impl FileDialogs for NativeDialogs {
             Ask::AircraftModel(..) => dialog.add_filter("glTF models", &["glb"]),
             Ask::Open | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
             Ask::SaveScript(_) => dialog.add_filter("Plugins", &[plugins::EXTENSION]),
-            Ask::Export(_) => dialog,
+            // Of the ending that the name has; a user may give another.
+            Ask::Export(start) => match start.extension().and_then(|ending| ending.to_str()) {
+                Some(ending) => dialog.add_filter(format!("{} files", ending.to_uppercase()), &[ending]),
+                None => dialog,
+            },
         };
         let asked = Instant::now();
         // Made on this thread, as macOS wants it, and waited for on another.

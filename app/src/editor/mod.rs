@@ -25,6 +25,8 @@ mod script;
 mod thinning;
 mod time_play;
 mod toasts;
+mod trial;
+mod weather_report;
 mod window;
 
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
@@ -55,6 +57,7 @@ use std::path::PathBuf;
 use std::time::Duration;
 use thinning::Thinning;
 use toasts::Toasts;
+use weather_report::WeatherReport;
 
 /// The editor: an open document, how it is looked at, and what is being asked.
 pub struct Editor {
@@ -67,6 +70,7 @@ pub struct Editor {
     plugins: Plugins,
     writing: Writing,
     thinning: Option<Thinning>,
+    weather: WeatherReport,
     time_play: TimePlay,
     clock: Clock,
     charting: Charting,
@@ -120,6 +124,7 @@ impl Editor {
             plugins,
             writing: Writing::new(context),
             thinning: None,
+            weather: WeatherReport::default(),
             time_play: TimePlay::default(),
             clock: Clock::default(),
             charting: Charting::default(),
@@ -182,7 +187,12 @@ impl Editor {
     /// Whether something before the window waits for an answer.
     fn is_asking(&self) -> bool {
         let asks = self.palette.is_some() || self.place_many.is_some() || self.thinning.is_some();
-        asks || self.plugins.is_asking() || self.dialogs.is_open()
+        asks || self.asks_by_showing() || self.dialogs.is_open()
+    }
+
+    /// Whether a question shows what would come of it as an open gesture, until it is answered.
+    fn asks_by_showing(&self) -> bool {
+        self.plugins.is_asking() || self.weather.is_asking()
     }
 
     pub(crate) fn tell(&mut self, text: impl AsRef<str>) {
@@ -195,8 +205,8 @@ impl Editor {
 
     /// Esc takes an open gesture back; what the pointer still does until it is let go is ignored.
     fn drop_gesture_on_escape(&mut self, context: &egui::Context) {
-        // What a plugin shows is open until its dialog is answered, where Esc may end the typing in a field.
-        let is_gesture = self.session.document().is_open() && !self.plugins.is_asking();
+        // There, Esc may end the typing in a field.
+        let is_gesture = self.session.document().is_open() && !self.asks_by_showing();
         if is_gesture && context.input(|input| input.key_pressed(egui::Key::Escape)) {
             self.session.cancel();
             self.gesture_dropped = true;
@@ -210,8 +220,7 @@ impl Editor {
             return;
         }
         self.gesture_dropped = false;
-        // Many placements, and what a plugin does, stay open until they are answered.
-        if self.place_many.is_some() || self.plugins.is_asking() {
+        if self.place_many.is_some() || self.asks_by_showing() {
             return;
         }
         if self.session.document().is_open()
@@ -330,6 +339,7 @@ impl eframe::App for Editor {
         self.show_palette(&context);
         self.show_place_many(&context);
         self.show_thinning(&context);
+        self.show_weather_report(&context);
         self.show_plugin(&context);
         self.show_last_run(&context);
         self.toasts.show(&context);

@@ -2,7 +2,7 @@
 
 use super::Editor;
 use crate::command::Command;
-use crate::panel;
+use crate::panel::{self, Answer};
 use crate::state::{Item, Selection};
 use cloudwright_core::arrange::place_many::{self, Places};
 use cloudwright_core::scene::ModelId;
@@ -37,7 +37,7 @@ impl Editor {
         let Some(model) = self.session.scene().model(asked.model) else { return };
         let answer = panel::ask_place_many(context, &model.name, &mut asked.places);
         match answer {
-            Some(true) => {
+            Some(Answer::Do) => {
                 self.show_places(&mut asked);
                 let done = self.session.commit();
                 if done.is_ok() {
@@ -45,7 +45,7 @@ impl Editor {
                 }
                 self.report(done);
             }
-            Some(false) => self.session.cancel(),
+            Some(Answer::Cancel) => self.session.cancel(),
             None => {
                 self.show_places(&mut asked);
                 self.place_many = Some(asked);

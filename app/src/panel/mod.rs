@@ -9,6 +9,7 @@ mod chart;
 mod cloud;
 mod cloud_box;
 mod color_levels;
+mod corner;
 mod flight;
 mod history;
 mod inspector;
@@ -25,13 +26,16 @@ mod sky;
 mod status;
 mod thinning;
 mod timeline;
+mod weather_report;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
+pub(crate) use corner::Answer;
 pub(crate) use palette::Palette;
 pub(crate) use place_many::{ask_place_many, default_places};
-pub(crate) use plugin::{PluginAnswer, PluginForm, Said, ask_plugin, show_last_run};
+pub(crate) use plugin::{PluginForm, Said, ask_plugin, show_last_run};
 pub(crate) use status::{Drawn, status};
 pub(crate) use thinning::{ThinAnswer, USUAL_TOLERANCE, ask_thinning};
+pub(crate) use weather_report::{WeatherChosen, WeatherForm, ask_weather};
 
 use crate::state::{Action, Reading};
 use crate::theme::icon;

@@ -1,10 +1,11 @@
 //! Many placements: how many, over which area, and what is left to chance. The scene shows them while they are chosen.
 
+use super::corner::{self, Answer};
 use crate::theme;
 use crate::widget::{number_field, seed_field};
 use cloudwright_core::arrange::place_many::{MOST_CLOUDS, Pattern, Places};
 use cloudwright_core::property::{CLOUD_SCALE, Number};
-use egui::{Align2, Color32, Context, Grid, Id, Modal, Ui, vec2};
+use egui::{Context, Grid, Id, Ui};
 
 const COUNT: Number =
     Number { label: "Placements", unit: "", min: 1.0, max: MOST_CLOUDS as f64, doc: "How many clouds." };
@@ -27,27 +28,16 @@ pub(crate) fn default_places(center: glam::DVec3) -> Places {
     }
 }
 
-/// Asks in a corner, so that the clouds can be seen. Whether they are to be placed, once that is answered.
-pub(crate) fn ask_place_many(context: &Context, model: &str, places: &mut Places) -> Option<bool> {
-    let id = Id::unique("place many");
-    let corner = Modal::default_area(id).anchor(Align2::LEFT_BOTTOM, vec2(1.0, -1.0) * theme::DIALOG_MARGIN);
-    let modal = Modal::new(id).area(corner).backdrop_color(Color32::TRANSPARENT).frame(theme::dialog(context));
-    let modal = modal.show(context, |ui| {
+/// Asks in a corner, so that the clouds can be seen.
+pub(crate) fn ask_place_many(context: &Context, model: &str, places: &mut Places) -> Option<Answer> {
+    corner::ask(context, Id::unique("place many"), |ui| {
         ui.heading("Many placements");
         ui.weak(format!("of “{model}”, around the point that the view looks at"));
         ui.add_space(theme::GAP);
         Grid::new("place many").num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| rows(ui, places));
         ui.add_space(theme::GAP);
-        ui.horizontal(|ui| {
-            let place = ui.button("Place").clicked().then_some(true);
-            let cancel = ui.button("Cancel").clicked().then_some(false);
-            place.or(cancel)
-        })
-        .inner
-    });
-    // A click beside it is no answer: the clouds are there to be looked at.
-    let escaped = context.input(|input| input.key_pressed(egui::Key::Escape));
-    modal.inner.or(escaped.then_some(false))
+        corner::buttons(ui, "Place", true)
+    })
 }
 
 fn rows(ui: &mut Ui, places: &mut Places) {

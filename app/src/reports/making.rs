@@ -18,6 +18,8 @@ use cloudwright_scripts::{ParameterKind, Patience, Plugin, ScriptError, Values, 
 use glam::DVec3;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
+use std::sync::atomic::Ordering;
+use std::time::Duration;
 
 /// How reports become a sky.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -57,6 +59,13 @@ pub struct Cover {
     pub asked_oktas: f64,
     /// As it is seen from below, the layer alone.
     pub measured_oktas: f64,
+}
+
+impl MadeLayer {
+    /// When it covers most, as the reports have it.
+    pub fn fullest(&self) -> Option<Cover> {
+        self.cover.iter().copied().reduce(|a, b| if b.asked_oktas > a.asked_oktas { b } else { a })
+    }
 }
 
 /// What became of reports.
@@ -99,6 +108,9 @@ impl From<NoSuchProperty> for MakeError {
     }
 }
 
+/// A sky of many layers takes no longer; whoever waits may end it before.
+pub const MOST_TIME: Duration = Duration::from_secs(60);
+
 /// How wide a layer lies, in heights of its base, and what it is at least and at most, metres.
 const WIDTHS: f64 = 8.0;
 const WIDTH_M: [f64; 2] = [12_000.0, 40_000.0];
@@ -118,7 +130,7 @@ const SAME_BASE_M: f64 = 1.0;
 /// # Errors
 /// If the reports are no timeline, or a plugin fails, or `patience` ends; the document is then as before.
 pub fn make(document: &mut Document, told: &[Told], making: &Making, patience: &Patience) -> Result<Made, MakeError> {
-    document.begin("Weather from reports");
+    document.begin("Weather from a report");
     match made(document, told, making, patience) {
         Ok(made) => {
             document.commit()?;
@@ -242,6 +254,9 @@ fn lay(
     let mut counts = Vec::with_capacity(times.len());
     let mut cover = Vec::with_capacity(times.len());
     for (asked_oktas, time_s) in strand.oktas().zip(times) {
+        if patience.cancelled.load(Ordering::Relaxed) {
+            return Err(MakeError::Plugin { plugin, error: ScriptError::stopped() });
+        }
         let found = known.iter().find(|(asked, ..)| *asked == asked_oktas).copied();
         let (_, count, measured_oktas) = found.unwrap_or_else(|| {
             let (count, oktas) = nearest(asked_oktas, clouds.len(), &measured);

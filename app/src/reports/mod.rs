@@ -1,8 +1,9 @@
 //! Weather reports into a scene, for window and command line: [`reading`] makes reports of a text, [`making`] a sky of
-//! reports, its clouds by the plugins that ship.
+//! reports, its clouds by the plugins that ship, [`words`] says both to people.
 
 pub mod making;
 pub mod reading;
+pub mod words;
 
-pub use making::{Made, MadeLayer, MakeError, Making, make};
+pub use making::{Cover, MOST_TIME, Made, MadeLayer, MakeError, Making, make};
 pub use reading::{Line, lines};

@@ -18,6 +18,13 @@ pub struct Line {
     pub date: Option<Date>,
 }
 
+impl Line {
+    /// The station's letters, if it could be read.
+    pub fn station(&self) -> Option<&str> {
+        Some(&self.read.as_ref().ok()?.first()?.station)
+    }
+}
+
 /// The text is JSON, but holds no reports.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{0}")]
@@ -67,6 +74,20 @@ pub fn told(lines: &[Line]) -> Result<Vec<Told>, (usize, &RefusedGroup)> {
         told.extend(reports.iter().map(|report| Told { report: report.clone(), place: *place }));
     }
     Ok(told)
+}
+
+/// A place as people write it: degrees north and degrees east, `50.03, 8.57`. None if it is none.
+pub fn place_of(text: &str) -> Option<Place> {
+    let (latitude, longitude) = text.split_once(',')?;
+    let degrees = |text: &str, most: f64| text.trim().parse::<f64>().ok().filter(|deg| deg.abs() <= most);
+    Some(Place { latitude_deg: degrees(latitude, 90.0)?, longitude_deg: degrees(longitude, 180.0)? })
+}
+
+/// Has stations be where `told` knows them, by their letters.
+pub fn put_stations(lines: &mut [Line], told: impl Fn(&str) -> Option<Place>) {
+    for line in lines {
+        line.place = line.station().and_then(&told).or(line.place);
+    }
 }
 
 fn read(text: &str) -> Result<Vec<Report>, RefusedGroup> {

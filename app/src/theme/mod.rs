@@ -38,8 +38,12 @@ pub(crate) const CODE_TEXT: f32 = 13.0;
 pub(crate) const OUTPUT_HEIGHT: f32 = 72.0;
 /// Beside the number of a plugin's parameter, points.
 pub(crate) const PARAMETER_SLIDER_WIDTH: f32 = 104.0;
+/// Of a plugin's curve or report, points.
+pub(crate) const PARAMETER_WIDTH: f32 = 216.0;
 /// Of the window's height, what the fields of a plugin may take before they scroll.
 pub(crate) const FORM_SHARE: f32 = 0.5;
+/// As that, of a form that holds lists of its own.
+pub(crate) const WIDE_FORM_SHARE: f32 = 0.66;
 /// What is kept free for what a plugin says, points: two lines.
 pub(crate) const SAID_HEIGHT: f32 = 36.0;
 /// Of the column of names in the inspector, points.
@@ -221,7 +225,10 @@ fn light(visuals: &mut Visuals) {
     visuals.error_fg_color = Color32::from_rgb(178, 34, 34);
     visuals.warn_fg_color = Color32::from_rgb(168, 92, 0);
     visuals.panel_fill = Color32::from_rgb(244, 245, 247);
-    visuals.window_fill = Color32::from_rgb(250, 250, 251);
+    // So far from white that fields of text stand out.
+    visuals.window_fill = Color32::from_rgb(240, 242, 245);
+    // Five times as dark as its ground at least.
+    visuals.weak_text_color = Some(Color32::from_gray(100));
     visuals.selection.bg_fill = ACCENT_LIGHT;
     visuals.selection.stroke.color = Color32::from_rgb(10, 48, 92);
     visuals.widgets.noninteractive.bg_stroke.color = Color32::from_rgb(214, 217, 222);

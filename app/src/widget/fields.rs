@@ -27,7 +27,7 @@ pub(crate) use color::{brightness_field, color_field, color32};
 pub(crate) use key::{field_to_key, key_button};
 pub(crate) use number::{ENDLESS, Span, number_field, span_field};
 pub(crate) use seed::seed_field;
-pub(crate) use text::text_field;
+pub(crate) use text::{MOST_CHARACTERS, lines_field, text_field};
 
 /// In the place of values that differ.
 const MIXED: &str = "mixed";

@@ -9,8 +9,8 @@ mod picture_choice;
 
 pub(crate) use chosen_level::{LEVEL_STEP, choose_level, chosen_level};
 pub(crate) use fields::{
-    ENDLESS, Fields, Span, brightness_field, color_field, color32, combo, field_to_key, heading, key_button,
-    name_button, name_it, number_field, seed_field, span_field, text_field,
+    ENDLESS, Fields, MOST_CHARACTERS, Span, brightness_field, color_field, color32, combo, field_to_key, heading,
+    key_button, lines_field, name_button, name_it, number_field, seed_field, span_field, text_field,
 };
 pub(crate) use handle::{Handle, Handled};
 pub(crate) use kept::Kept;

@@ -205,6 +205,13 @@ impl Document {
         self.undone.last().map(|point| point.name.as_str())
     }
 
+    /// What leads again from the scene before the last undo point to the one after it, in order: so another document that
+    /// has the scene before can take the point over. None if there is no point.
+    pub fn last_edits(&self) -> Vec<Edit> {
+        let Some(point) = self.done.last() else { return Vec::new() };
+        point.reverse(&mut self.scene.clone()).0.into_edits()
+    }
+
     /// The state that the scene is in, an open transaction apart.
     pub fn mark(&self) -> SavedMark {
         self.done.last().map_or(SavedMark(0), |point| point.mark)

@@ -62,6 +62,11 @@ impl UndoPoint {
         }
         (Self { name: self.name.clone(), mark: self.mark, inverses }, change)
     }
+
+    /// The edits in the order in which [`UndoPoint::reverse`] applies them.
+    pub(super) fn into_edits(self) -> Vec<Edit> {
+        self.inverses.into_iter().rev().collect()
+    }
 }
 
 #[cfg(test)]
@@ -150,7 +155,14 @@ mod tests {
             document.apply(moved(&document, 0, f64::from(step))).expect("it is there");
         }
         assert_eq!(inverse_count(&document), 5);
+        let mut other = document.clone();
         document.cancel();
         assert_eq!(*document.scene(), start);
+        // Another document takes the point over.
+        other.commit().expect("sound");
+        assert_eq!(document.edit("Taken over", other.last_edits()).map(|_| ()), Ok(()));
+        assert_eq!(document.scene(), other.scene());
+        document.undo();
+        assert_eq!((document.scene(), document.last_edits()), (&start, Vec::new()));
     }
 }

@@ -19,6 +19,7 @@ mod off_frame;
 mod on_disk;
 mod paths_in_view;
 mod picture_choice;
+mod plugin_fields;
 mod plugins;
 mod recovery;
 mod remembering;
@@ -30,6 +31,7 @@ mod timeline;
 mod tools;
 mod viewing;
 mod walk;
+mod weather_report;
 
 use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Start};

@@ -2,7 +2,7 @@
 
 use crate::Window;
 use cloudwright::command::Command;
-use cloudwright::editor::Reply;
+use cloudwright::editor::{Ask, Reply};
 use cloudwright::storage::Folders;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::shipped::{self, SHIPPED};
@@ -14,12 +14,12 @@ use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
 /// A user with plugins of his own.
-struct Home {
+pub(crate) struct Home {
     folder: tempfile::TempDir,
 }
 
 impl Home {
-    fn with(files: &[(&str, &str)]) -> Self {
+    pub(crate) fn with(files: &[(&str, &str)]) -> Self {
         let home = Self { folder: tempfile::tempdir().expect("a folder") };
         std::fs::create_dir_all(home.folders().plugins()).expect("writable");
         files.iter().for_each(|(name, text)| home.put(name, text));
@@ -38,7 +38,7 @@ impl Home {
         std::fs::write(self.path(name), text).expect("writable");
     }
 
-    fn open(&self) -> Window {
+    pub(crate) fn open(&self) -> Window {
         let mut window = Window::open_with(Some(self.folders()));
         window.settle();
         window
@@ -93,7 +93,7 @@ impl Window {
         panic!("there is no submenu {submenu}");
     }
 
-    fn ask_plugin(&mut self, kind: PluginKind, name: &str) {
+    pub(crate) fn ask_plugin(&mut self, kind: PluginKind, name: &str) {
         self.open_plugins(menu(kind));
         self.press(name);
     }
@@ -380,6 +380,7 @@ fn exporters_write_the_file_that_is_named() {
     window.answer(Reply::Cancelled);
     window.press("Export…");
     window.wait("the question", |window| window.script.asked.borrow().len() == 5);
+    assert_eq!(window.script.asked.borrow()[4], Ask::Export(table.clone()), "with the exporter's own ending");
     assert!(window.shows("Export…"), "not to name a file leaves the dialog");
     window.answer(Reply::Path(table.clone()));
     window.press("Export…");

@@ -248,6 +248,7 @@ impl Editor {
             Command::KeyAfterLast => self.key_after_last(),
             Command::KeyAtClock => self.key_at_clock(),
             Command::RecordFlight => self.toggle_recording(),
+            Command::WeatherReport => self.ask_weather_report(context),
             Command::RunAgain => self.run_again(context),
             Command::OpenPluginFolder => self.open_plugin_folder(),
             Command::OutlinePanel => self.layout.bring_up(Panel::Outline),

@@ -2,7 +2,7 @@
 
 use super::Run;
 use crate::editor::Editor;
-use crate::panel::{self, PluginAnswer};
+use crate::panel::{self, Answer};
 use crate::plugins::{Origin, carried_over};
 use cloudwright_scripts::{Outcome, PluginKind, ScriptError};
 use std::sync::Arc;
@@ -48,18 +48,16 @@ impl Editor {
         let answer = panel::ask_plugin(context, &form, &mut values);
         asked.run.values = values;
         match answer {
-            Some(PluginAnswer::Cancel) => return self.take_back(&asked),
-            Some(PluginAnswer::Do) => asked.confirmed = true,
+            Some(Answer::Cancel) => return self.take_back(&asked),
+            Some(Answer::Do) => asked.confirmed = true,
             None => {}
         }
         // An exporter changes nothing that could be shown: it runs when it is to.
-        if !asked.exports() || asked.confirmed {
-            let ended = asked.run.trial.keep_up(&asked.run.plugin, &asked.run.values, context);
-            if let Some(ended) = ended {
-                self.show_outcome(&mut asked, ended, context);
-            }
+        let may_run = !asked.exports() || asked.confirmed;
+        if may_run && let Some(ended) = asked.run.keep_up(context) {
+            self.show_outcome(&mut asked, ended, context);
         }
-        let is_done = asked.confirmed && asked.run.trial.is_of(&asked.run.plugin, &asked.run.values);
+        let is_done = asked.confirmed && asked.run.has_run();
         if is_done && !asked.exports() {
             return self.keep_run(asked);
         }
@@ -109,7 +107,7 @@ impl Editor {
             asked.run.trial.forget();
             asked.confirmed = false;
             asked.text = outcome.text;
-            return self.ask_export(context);
+            return self.ask_export(&asked.run.plugin.description.ending, context);
         }
         match self.session.drag(&asked.run.plugin.description.name, outcome.edits) {
             Ok(()) => asked.shows = true,

@@ -34,7 +34,7 @@ impl Editor {
         let stays =
             panel::show_last_run(context, &last.run.form(&title, None, self.disk.settings().units), &mut values);
         last.run.values = values;
-        if let Some(ended) = last.run.trial.keep_up(&last.run.plugin, &last.run.values, context) {
+        if let Some(ended) = last.run.keep_up(context) {
             self.replace_last(&mut last, ended);
         }
         if stays {

@@ -1,6 +1,6 @@
 //! Plugins in the window: which there are, the question what is to be chosen of one, and its last run to be had again.
 //!
-//! A run goes on off the frame ([`trial`]); what it asks for is shown as an open gesture, which becomes one undo point
+//! A run goes on off the frame ([`tried`]); what it asks for is shown as an open gesture, which becomes one undo point
 //! or nothing ([`asked`]). The values of the last run can be changed as long as nothing else was ([`last`]).
 
 mod asked;
@@ -8,7 +8,7 @@ mod export;
 mod last;
 mod script_run;
 mod shelf;
-mod trial;
+mod tried;
 
 use super::Editor;
 use crate::panel::{PluginForm, Said};
@@ -18,15 +18,15 @@ use crate::storage::{self, Folders};
 use asked::Asked;
 use cloudwright_core::document::SavedMark;
 use cloudwright_core::problem::Problem;
-use cloudwright_core::scene::Cloud;
-use cloudwright_scripts::{Plugin, PluginKind, ScriptError, Values};
+use cloudwright_core::scene::{Cloud, Scene};
+use cloudwright_scripts::{Outcome, Plugin, PluginKind, ScriptError, Values};
 use last::LastRun;
 pub(super) use script_run::ScriptRun;
 use shelf::Shelf;
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
-use trial::Trial;
+use tried::{Runs, Tried};
 
 /// Of all plugins, and of the one that is being asked about or was run last.
 pub(super) struct Plugins {
@@ -44,7 +44,9 @@ struct Run {
     origin: Origin,
     plugin: Arc<Plugin>,
     values: Values,
-    trial: Trial,
+    trial: Runs,
+    /// The scene that all runs begin with.
+    scene: Arc<Scene>,
     /// What was selected before, and is what the plugin sees as selected.
     selection: Selection,
     /// The state that the scene was in.
@@ -78,7 +80,17 @@ impl Run {
     /// What is shown of it.
     fn form<'a>(&'a self, title: &'a str, notice: Option<&'a str>, units: crate::units::Units) -> PluginForm<'a> {
         let said = Said { error: self.error.as_deref(), printed: &self.printed, runs: self.trial.takes_long(), notice };
-        PluginForm { plugin: &self.plugin, title, origin: &self.origin, scene: self.trial.scene(), units, said }
+        PluginForm { plugin: &self.plugin, title, origin: &self.origin, scene: &self.scene, units, said }
+    }
+
+    /// Once a frame: sees that it is run with the values that are chosen, and hands over what a run has come to.
+    fn keep_up(&mut self, context: &egui::Context) -> Option<Result<Outcome, ScriptError>> {
+        self.trial.keep_up(&Tried::new(&self.plugin, &self.values), context)
+    }
+
+    /// Whether what the last run came to is what the chosen values come to.
+    fn has_run(&self) -> bool {
+        self.trial.is_of(&Tried::new(&self.plugin, &self.values))
     }
 
     /// Remembers why a run came to nothing.
@@ -117,7 +129,7 @@ impl Editor {
             return None;
         }
         let scene = Arc::new(self.session.scene().clone());
-        let trial = match Trial::start(scene, self.view.selection.items(), context) {
+        let trial = match tried::runs(Arc::clone(&scene), self.view.selection.items(), context) {
             Ok(trial) => trial,
             Err(error) => {
                 self.tell_error(format!("The system gives no thread: {error}"));
@@ -131,6 +143,7 @@ impl Editor {
             origin: origin.clone(),
             plugin,
             trial,
+            scene,
             selection: self.view.selection.clone(),
             before: self.session.document().mark(),
             error: None,
@@ -142,6 +155,7 @@ impl Editor {
     pub(super) fn leave_runs(&mut self) {
         self.plugins.asked = None;
         self.plugins.last = None;
+        self.weather.leave();
         self.writing.run = None;
         self.writing.script.runs = false;
     }
@@ -171,7 +185,7 @@ impl Editor {
 
     /// Selects the clouds that a generator made; else what was selected before, as far as it is still there.
     fn select_after(&mut self, run: &Run) {
-        let first_new = run.trial.scene().next_id.0;
+        let first_new = run.scene.next_id.0;
         let is_new = |cloud: &&Cloud| cloud.id.0 >= first_new;
         let generates = run.plugin.description.kind == PluginKind::Generator;
         let made = self.session.scene().clouds.iter().filter(is_new).map(|cloud| Item::Cloud(cloud.id));

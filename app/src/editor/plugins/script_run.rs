@@ -25,7 +25,7 @@ impl Editor {
     /// Once a frame: takes up what it has come to.
     pub(in crate::editor) fn keep_script_run(&mut self, context: &egui::Context) {
         let Some(ScriptRun(mut run)) = self.writing.run.take() else { return };
-        let Some(ended) = run.trial.keep_up(&run.plugin, &run.values, context) else {
+        let Some(ended) = run.keep_up(context) else {
             self.writing.run = Some(ScriptRun(run));
             return;
         };

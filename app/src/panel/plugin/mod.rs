@@ -1,18 +1,20 @@
 //! What can be chosen of a plugin, from what it says of itself, and what its run came to: as a question, and as the panel
 //! in which the last run can be had with other values. And the menu of all that there are.
 
+mod curve;
 mod menu;
 mod parameters;
 
 pub(super) use menu::{kind_in_words, kind_name, menus};
 
+use super::corner::{self, Answer};
 use crate::plugins::Origin;
 use crate::theme::{self, icon};
 use crate::units::Units;
 use crate::visible;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::{Plugin, PluginKind, Values};
-use egui::{Align2, Button, Color32, Context, Id, Key, Modal, RichText, ScrollArea, Spinner, Ui, Window, vec2};
+use egui::{Align2, Context, Id, RichText, ScrollArea, Spinner, Ui, Window, vec2};
 
 /// What is shown of a plugin.
 #[derive(Clone, Copy)]
@@ -40,21 +42,9 @@ pub(crate) struct Said<'a> {
     pub(crate) notice: Option<&'a str>,
 }
 
-/// What is answered.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(crate) enum PluginAnswer {
-    /// Keep what is shown; of an exporter: write the file.
-    Do,
-    /// Leave all as it was.
-    Cancel,
-}
-
 /// Asks in a corner, so that the scene can be seen as it would be.
-pub(crate) fn ask_plugin(context: &Context, form: &PluginForm<'_>, values: &mut Values) -> Option<PluginAnswer> {
-    let id = Id::unique("plugin");
-    let corner = Modal::default_area(id).anchor(Align2::LEFT_BOTTOM, vec2(1.0, -1.0) * theme::DIALOG_MARGIN);
-    let modal = Modal::new(id).area(corner).backdrop_color(Color32::TRANSPARENT).frame(theme::dialog(context));
-    let modal = modal.show(context, |ui| {
+pub(crate) fn ask_plugin(context: &Context, form: &PluginForm<'_>, values: &mut Values) -> Option<Answer> {
+    corner::ask(context, Id::unique("plugin"), |ui| {
         ui.set_width(theme::DIALOG_WIDTH);
         ui.heading(visible::one_line(form.title));
         ui.weak(visible::one_line(&form.plugin.description.sentence));
@@ -67,21 +57,8 @@ pub(crate) fn ask_plugin(context: &Context, form: &PluginForm<'_>, values: &mut 
         ui.add_space(theme::GAP);
         self::form(ui, form, values);
         let exports = form.plugin.description.kind == PluginKind::Exporter;
-        ui.horizontal(|ui| {
-            let go = Button::new(if exports { "Export…" } else { "OK" });
-            let go = ui.add_enabled(form.said.error.is_none(), go).clicked().then_some(PluginAnswer::Do);
-            go.or(ui.button("Cancel").clicked().then_some(PluginAnswer::Cancel))
-        })
-        .inner
-    });
-    // A click beside it is no answer: the scene is there to be looked at. Esc in a field ends the typing, and no more.
-    let typed = {
-        let types = context.text_edit_focused();
-        context.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(id), types))
-    };
-    let is_in_front = modal.is_top_modal && !modal.any_popup_open;
-    let escaped = is_in_front && !typed && context.input(|input| input.key_pressed(Key::Escape));
-    modal.inner.or(escaped.then_some(PluginAnswer::Cancel))
+        corner::buttons(ui, if exports { "Export…" } else { "OK" }, form.said.error.is_none())
+    })
 }
 
 /// Shows the last run's values to be changed, over the panels. Whether it stays open.
@@ -109,17 +86,21 @@ fn form(ui: &mut Ui, form: &PluginForm<'_>, values: &mut Values) {
         parameters::rows(ui, parameters, form.scene, form.units, values);
     });
     ui.add_space(theme::GAP);
+    said(ui, &form.said);
+}
+
+/// So high that no field moves under the pointer when something is said.
+pub(super) fn said(ui: &mut Ui, said: &Said<'_>) {
     ui.vertical(|ui| {
-        // So that no field moves under the pointer when something is said.
         ui.set_min_height(theme::SAID_HEIGHT);
         ScrollArea::vertical().id_salt("said").max_height(theme::DIALOG_LIST_HEIGHT / 3.0).show(ui, |ui| {
-            ui.set_width(theme::DIALOG_WIDTH);
-            said(ui, &form.said);
+            ui.set_width(ui.available_width());
+            said_lines(ui, said);
         });
     });
 }
 
-fn said(ui: &mut Ui, said: &Said<'_>) {
+fn said_lines(ui: &mut Ui, said: &Said<'_>) {
     if let Some(notice) = said.notice {
         ui.colored_label(theme::warning(ui), visible::lines(notice));
     }

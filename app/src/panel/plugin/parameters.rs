@@ -3,14 +3,22 @@
 //! Each field returns the text that it chose, as on the command line, so that whatever a parameter may be, its own rules
 //! judge it. A kind without a field of its own has a line to type that text in.
 
+use super::curve;
+use crate::panel::weather_report::refusals;
+use crate::reports::{self, Line};
 use crate::theme::{self, icon};
 use crate::units::Units;
-use crate::widget::{self, combo, name_it, seed_field, span_field, text_field};
+use crate::widget::{self, combo, lines_field, name_it, seed_field, span_field, text_field};
 use cloudwright_core::color::Rgb;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::parameter::Span;
 use cloudwright_scripts::{Parameter, ParameterKind, ParameterValue, Values};
+use egui::cache::{ComputerMut, FrameCache};
 use egui::{Button, Grid, Slider, SliderClamping, Ui};
+use std::sync::Arc;
+
+/// Of a report's text that are shown.
+const METAR_ROWS: usize = 2;
 
 /// Rows of all parameters that are shown with these values. What is chosen there is set.
 pub(super) fn rows(ui: &mut Ui, parameters: &[Parameter], scene: &Scene, units: Units, values: &mut Values) {
@@ -27,7 +35,7 @@ pub(super) fn rows(ui: &mut Ui, parameters: &[Parameter], scene: &Scene, units: 
             if !parameter.help.is_empty() && !is_flag {
                 name.on_hover_text(&parameter.help);
             }
-            let chosen = ui.horizontal(|ui| field(ui, parameter, &value, scene, units)).inner;
+            let chosen = ui.horizontal_top(|ui| field(ui, parameter, &value, scene, units)).inner;
             let chosen = chosen.or(reset(ui, parameter, &value));
             ui.end_row();
             if let Some(text) = chosen {
@@ -83,6 +91,14 @@ fn field(ui: &mut Ui, parameter: &Parameter, value: &ParameterValue, scene: &Sce
         (ParameterKind::Model, ParameterValue::Whole(id)) => {
             thing(ui, parameter, *id, scene.models.iter().map(|model| (model.id.0, model.name.as_str())))
         }
+        (ParameterKind::Path, ParameterValue::Whole(id)) => {
+            thing(ui, parameter, *id, scene.paths.iter().map(|path| (path.id.0, path.name.as_str())))
+        }
+        (ParameterKind::Curve(span), ParameterValue::Curve(points)) => {
+            let points = ui.vertical(|ui| curve::show(ui, parameter, span, points)).inner?;
+            Some(ParameterValue::Curve(points).to_string())
+        }
+        (ParameterKind::Metar, ParameterValue::Text(text)) => ui.vertical(|ui| metar(ui, label, help, text)).inner,
         _ => text_field(ui, label, "", help, &value.to_string()),
     }
 }
@@ -102,6 +118,28 @@ fn thing<'a>(
         .find(|(each, _)| *each == id)
         .map_or_else(|| format!("{id}, which is gone"), |(_, name)| name.clone());
     combo(ui, label, help, &text, &all, |each| *each == id).map(|id| id.to_string())
+}
+
+/// Weather reports, and beneath them what of them can't be read.
+fn metar(ui: &mut Ui, label: &str, help: &str, text: &str) -> Option<String> {
+    ui.set_width(theme::PARAMETER_WIDTH);
+    let typed = lines_field(ui, label, ["", help], METAR_ROWS, false, text);
+    let read = ui.memory_mut(|memory| memory.caches.cache::<FrameCache<Read, Reading>>().get(text).clone());
+    refusals(ui, read.as_deref().map_err(String::as_str));
+    typed
+}
+
+/// Of a text of reports: what was read, or why that is none.
+type Read = Result<Arc<[Line]>, String>;
+
+/// Reads a text only once while it is shown.
+#[derive(Default)]
+struct Reading;
+
+impl ComputerMut<&str, Read> for Reading {
+    fn compute(&mut self, text: &str) -> Read {
+        reports::lines(text).map(Arc::from).map_err(|error| error.to_string())
+    }
 }
 
 fn color(ui: &mut Ui, label: &str, channels: [f64; 3]) -> Option<String> {
