@@ -24,14 +24,17 @@ macro_rules! shipped {
 
 /// The parts, by name.
 const PARTS: &[(&str, &str)] = &[
+    ("altocumulus", include_str!("../plugins/parts/altocumulus.rhai")),
     ("boxes", include_str!("../plugins/parts/boxes.rhai")),
     ("cumulonimbus", include_str!("../plugins/parts/cumulonimbus.rhai")),
     ("cumulus", include_str!("../plugins/parts/cumulus.rhai")),
+    ("deck", include_str!("../plugins/parts/deck.rhai")),
+    ("stratus", include_str!("../plugins/parts/stratus.rhai")),
 ];
 
 /// All that there are, by name.
 pub const SHIPPED: &[Shipped] = shipped! {
-    "altocumulus_sheet" "boxes" "cover";
+    "altocumulus_sheet" "altocumulus" "boxes" "cover";
     "clear_corridor" "chosen";
     "cloud_streets" "cumulus" "boxes";
     "cumulonimbus" "cumulonimbus" "cumulus" "boxes" "cover";
@@ -45,6 +48,7 @@ pub const SHIPPED: &[Shipped] = shipped! {
     "sprite_table";
     "storm_look";
     "stratocumulus_deck" "deck" "boxes" "cover";
+    "stratus_sheet" "stratus" "boxes" "cover";
     "thunderstorm_life" "cumulonimbus" "cumulus" "boxes";
     "wind_lean" "chosen";
 };

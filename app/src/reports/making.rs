@@ -4,14 +4,14 @@
 //! them are the layer at less: how many is measured, not guessed, and they form and dissipate between the reports.
 
 use crate::scripting::{self, Request};
-use cloudwright_core::arrange::{self, keys};
+use cloudwright_core::arrange;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Document, Edit, EditError, ListEdit};
 use cloudwright_core::measure::{EYE_M, Observer, sky_cover};
-use cloudwright_core::property::{NoSuchProperty, Target};
+use cloudwright_core::property::NoSuchProperty;
 use cloudwright_core::reported::{self, ApplyError, Genus, Place, PlannedLayer, Sky, Strand, Told, Unordered};
 use cloudwright_core::scene::{
-    Cloud, CloudId, Date, KeyValue, ModelId, Region, Scene, Site, Thing, Track, TrackId, TrackKey, Weather,
+    Cloud, CloudId, Date, KeyValue, ModelId, Region, Scene, Site, Thing, TrackKey, Weather,
 };
 use cloudwright_core::weather::Moment;
 use cloudwright_scripts::{ParameterKind, Patience, Plugin, ScriptError, Values, shipped};
@@ -374,15 +374,6 @@ fn key(document: &mut Document, property: &str, values: &[KeyValue], times: &[f6
     if values.iter().all(|value| *value == KeyValue::One(1.0)) {
         return Ok(());
     }
-    let target: Target = property.parse()?;
-    for edit in keys::cleared(document.scene(), &[target]).edits {
-        document.apply(edit)?;
-    }
-    let mut next_id = document.scene().next_id;
-    let id = TrackId::new(&mut next_id);
     let keys = times.iter().zip(values).map(|(time_s, value)| TrackKey::new(*time_s, *value)).collect();
-    document.apply(Edit::NextId(next_id))?;
-    let track = Track::new(id, target.to_string(), keys);
-    document.apply(Edit::Track(ListEdit::Insert { at: usize::MAX, value: track }))?;
-    Ok(())
+    Ok(reported::take_track(document, property.parse()?, keys)?)
 }

@@ -22,10 +22,7 @@ pub(super) fn scene() -> Scene {
     let models: Vec<_> = kinds
         .iter()
         .map(|(name, category, kind)| {
-            let model = cumulus(&mut sketch, name, *category, kind);
-            let id = model.id;
-            sketch.scene.models.push(model);
-            id
+            cumulus(&mut sketch, name, *category, kind)
         })
         .collect();
     let base = 1100.0;

@@ -20,10 +20,7 @@ pub(super) fn scene() -> Scene {
         ),
     ];
     let [mediocris, humilis] = kinds.map(|(name, category, kind)| {
-        let model = cumulus(&mut sketch, name, category, &kind);
-        let id = model.id;
-        sketch.scene.models.push(model);
-        id
+        cumulus(&mut sketch, name, category, &kind)
     });
     let base = 1050.0;
     let forms = Formation { start_s: 2.0, core_s: 8.0, edges_s: 6.0, ..Formation::default() };

@@ -93,10 +93,7 @@ fn racing(sketch: &mut Sketch) {
         ("scrap", Category::CumulusHumilis, [230.0, 140.0], 130.0, 4, [55.0, 90.0], 0.35, 4),
     ];
     let model = |(name, category, base, height, heaps, heap_radius, peak, wisps): (_, _, _, _, _, _, _, _)| {
-        let model = cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps });
-        let id = model.id;
-        sketch.scene.models.push(model);
-        id
+        cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps })
     };
     let models: Vec<ModelId> = kinds.map(model).into();
     for i in 0..34_u32 {

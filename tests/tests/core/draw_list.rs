@@ -93,3 +93,40 @@ fn what_is_hidden_is_not_drawn() {
         assert!(layer.pixels.iter().all(|pixel| pixel.a == 0.0));
     }
 }
+
+#[test]
+fn diagnose() {
+    let scene = heap(25);
+    let derived = Derived::new(&scene);
+    let camera = Camera { heading_deg: 41.726986329992414, pitch_deg: 69.48790959857388, roll_deg: 0.0, field_of_view_deg: 143.42987841697277, ..Camera::free(DVec3::new(111.61165199333294, 1016.1514692335077, 35.49920793497468)) };
+    let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(&camera, [90, 40]));
+    let cloud = &derived.clouds()[0];
+    let offset = (cloud.origin - frame.view.eye).as_vec3();
+    eprintln!("{} of {}; poses {}", frame.list.sprites.len(), cloud.sprites.len(), frame.list.poses.len());
+    for d in &frame.list.sprites {
+        let s = &cloud.sprites[d.sprite as usize];
+        let a = frame.list.pose(d, &frame.view);
+        let b = Pose::still(offset + s.position, s.radius(), &frame.view);
+        if a != b || d.center != offset + s.position {
+            eprintln!("{} own {} dist {} r {}: towards {} up {} fade {} / {} center {}", d.sprite, d.pose != FACES_EYE, d.center.length(), s.radius(), (a.towards - b.towards).length(), (a.up - b.up).length(), a.fade, b.fade, (d.center - offset - s.position).length());
+        }
+    }
+    // One at a time.
+    for d in &frame.list.sprites {
+        let s = &cloud.sprites[d.sprite as usize];
+        let b = Pose::still(offset + s.position, s.radius(), &frame.view);
+        let one = |pose| Frame { list: DrawList::of_sprites(vec![DrawSprite { pose: 0, ..*d }], vec![pose]), ..frame.clone() };
+        let (x, y) = (fast::clouds(&one(frame.list.pose(d, &frame.view)), NEVER_STOP), fast::clouds(&one(b), NEVER_STOP));
+        let most = x.pixels.iter().zip(&y.pixels).map(|(a, b)| (a.r - b.r).abs().max((a.a - b.a).abs())).fold(0.0, f32::max);
+        if most > 1e-5 { eprintln!("{}: {most:e}", d.sprite); }
+    }
+    let listed: std::collections::BTreeSet<u32> = frame.list.sprites.iter().map(|d| d.sprite).collect();
+    for (s, i) in cloud.sprites.iter().zip(0..) {
+        if listed.contains(&i) { continue; }
+        let center = offset + s.position;
+        let b = Pose::still(center, s.radius(), &frame.view);
+        let one = Frame { list: DrawList::of_sprites(vec![DrawSprite { cloud: 0, sprite: i, center, pose: 0 }], vec![b]), ..frame.clone() };
+        let most = fast::clouds(&one, NEVER_STOP).pixels.iter().map(|a| a.r.abs().max(a.a.abs())).fold(0.0, f32::max);
+        if most > 0.0 { eprintln!("culled {i}: {most:e} {center}"); }
+    }
+}

@@ -19,6 +19,7 @@ mod raster;
 mod reports;
 mod scene_file;
 mod shading;
+mod skies;
 mod sprites;
 mod suite;
 mod thin;
