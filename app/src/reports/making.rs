@@ -10,9 +10,7 @@ use cloudwright_core::document::{Document, Edit, EditError, ListEdit};
 use cloudwright_core::measure::{EYE_M, Observer, sky_cover};
 use cloudwright_core::property::NoSuchProperty;
 use cloudwright_core::reported::{self, ApplyError, Genus, Place, PlannedLayer, Sky, Strand, Told, Unordered};
-use cloudwright_core::scene::{
-    Cloud, CloudId, Date, KeyValue, ModelId, Region, Scene, Site, Thing, TrackKey, Weather,
-};
+use cloudwright_core::scene::{Cloud, CloudId, Date, KeyValue, ModelId, Region, Scene, Site, Thing, TrackKey, Weather};
 use cloudwright_core::weather::Moment;
 use cloudwright_scripts::{ParameterKind, Patience, Plugin, ScriptError, Values, shipped};
 use glam::DVec3;

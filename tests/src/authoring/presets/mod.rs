@@ -42,7 +42,8 @@ pub const PRESETS: &[NamedScene] = &[
     }),
     ("cumulonimbus", || {
         let shot = Shot { eye: [-4200.0, -500.0, 17_500.0], target: [1700.0, 3400.0, 0.0], field_of_view_deg: 33.0 };
-        let preset = Preset { name: "Cumulonimbus", maker: "thunder_cloud", seed: 67, base_m: 1000.0, hour: 18.8, shot };
+        let preset =
+            Preset { name: "Cumulonimbus", maker: "thunder_cloud", seed: 67, base_m: 1000.0, hour: 18.8, shot };
         preset.in_air(Scene::default().sky.turbidity, 70_000.0)
     }),
     ("wisps", || {
