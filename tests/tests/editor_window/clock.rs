@@ -1,5 +1,6 @@
 //! The scene's clock: it plays between marks, and what is drawn, picked and shown goes by it.
 
+use crate::Window;
 use crate::timeline::{RULER, with_exposure};
 use crate::tools::opened;
 use cloudwright::command::Command;
