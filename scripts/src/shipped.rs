@@ -29,6 +29,7 @@ const PARTS: &[(&str, &str)] = &[
     ("cumulonimbus", include_str!("../plugins/parts/cumulonimbus.rhai")),
     ("cumulus", include_str!("../plugins/parts/cumulus.rhai")),
     ("deck", include_str!("../plugins/parts/deck.rhai")),
+    ("lens", include_str!("../plugins/parts/lens.rhai")),
     ("stratus", include_str!("../plugins/parts/stratus.rhai")),
 ];
 
@@ -43,6 +44,7 @@ pub const SHIPPED: &[Shipped] = shipped! {
     "flat_bases" "chosen";
     "frontal_passage" "deck" "cumulus" "boxes";
     "golden_hour";
+    "lens_clouds" "lens" "boxes";
     "scatter_along_path";
     "scatter_clouds";
     "sprite_table";
