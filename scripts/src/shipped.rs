@@ -24,14 +24,18 @@ macro_rules! shipped {
 
 /// The parts, by name.
 const PARTS: &[(&str, &str)] = &[
+    ("altocumulus", include_str!("../plugins/parts/altocumulus.rhai")),
     ("boxes", include_str!("../plugins/parts/boxes.rhai")),
     ("cumulonimbus", include_str!("../plugins/parts/cumulonimbus.rhai")),
     ("cumulus", include_str!("../plugins/parts/cumulus.rhai")),
+    ("deck", include_str!("../plugins/parts/deck.rhai")),
+    ("lens", include_str!("../plugins/parts/lens.rhai")),
+    ("stratus", include_str!("../plugins/parts/stratus.rhai")),
 ];
 
 /// All that there are, by name.
 pub const SHIPPED: &[Shipped] = shipped! {
-    "altocumulus_sheet" "boxes" "cover";
+    "altocumulus_sheet" "altocumulus" "boxes" "cover";
     "clear_corridor" "chosen";
     "cloud_streets" "cumulus" "boxes";
     "cumulonimbus" "cumulonimbus" "cumulus" "boxes" "cover";
@@ -40,11 +44,13 @@ pub const SHIPPED: &[Shipped] = shipped! {
     "flat_bases" "chosen";
     "frontal_passage" "deck" "cumulus" "boxes";
     "golden_hour";
+    "lens_clouds" "lens" "boxes";
     "scatter_along_path";
     "scatter_clouds";
     "sprite_table";
     "storm_look";
     "stratocumulus_deck" "deck" "boxes" "cover";
+    "stratus_sheet" "stratus" "boxes" "cover";
     "thunderstorm_life" "cumulonimbus" "cumulus" "boxes";
     "wind_lean" "chosen";
 };

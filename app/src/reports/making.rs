@@ -4,15 +4,13 @@
 //! them are the layer at less: how many is measured, not guessed, and they form and dissipate between the reports.
 
 use crate::scripting::{self, Request};
-use cloudwright_core::arrange::{self, keys};
+use cloudwright_core::arrange;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Document, Edit, EditError, ListEdit};
 use cloudwright_core::measure::{EYE_M, Observer, sky_cover};
-use cloudwright_core::property::{NoSuchProperty, Target};
+use cloudwright_core::property::NoSuchProperty;
 use cloudwright_core::reported::{self, ApplyError, Genus, Place, PlannedLayer, Sky, Strand, Told, Unordered};
-use cloudwright_core::scene::{
-    Cloud, CloudId, Date, KeyValue, ModelId, Region, Scene, Site, Thing, Track, TrackId, TrackKey, Weather,
-};
+use cloudwright_core::scene::{Cloud, CloudId, Date, KeyValue, ModelId, Region, Scene, Site, Thing, TrackKey, Weather};
 use cloudwright_core::weather::Moment;
 use cloudwright_scripts::{ParameterKind, Patience, Plugin, ScriptError, Values, shipped};
 use glam::DVec3;
@@ -217,9 +215,8 @@ fn width_m(layer: &PlannedLayer) -> f64 {
 fn plugin_of(layer: &PlannedLayer) -> Option<&'static str> {
     Some(match layer.genus {
         Genus::Fog if layer.thickness_m < EYE_LEVEL_M => return None,
-        Genus::Fog | Genus::Stratus | Genus::Stratocumulus | Genus::Nimbostratus | Genus::Altostratus => {
-            "stratocumulus_deck"
-        }
+        Genus::Fog | Genus::Stratocumulus | Genus::Nimbostratus | Genus::Altostratus => "stratocumulus_deck",
+        Genus::Stratus => "stratus_sheet",
         Genus::Cumulus | Genus::ToweringCumulus => "cumulus_field",
         Genus::Cumulonimbus => "cumulonimbus",
         Genus::Altocumulus | Genus::Cirrus | Genus::Cirrostratus => "altocumulus_sheet",
@@ -395,15 +392,6 @@ fn key(document: &mut Document, property: &str, values: &[KeyValue], times: &[f6
     if values.iter().all(|value| *value == KeyValue::One(1.0)) {
         return Ok(());
     }
-    let target: Target = property.parse()?;
-    for edit in keys::cleared(document.scene(), &[target]).edits {
-        document.apply(edit)?;
-    }
-    let mut next_id = document.scene().next_id;
-    let id = TrackId::new(&mut next_id);
     let keys = times.iter().zip(values).map(|(time_s, value)| TrackKey::new(*time_s, *value)).collect();
-    document.apply(Edit::NextId(next_id))?;
-    let track = Track::new(id, target.to_string(), keys);
-    document.apply(Edit::Track(ListEdit::Insert { at: usize::MAX, value: track }))?;
-    Ok(())
+    Ok(reported::take_track(document, property.parse()?, keys)?)
 }

@@ -37,7 +37,7 @@ impl Linear {
 /// A sprite as one view sees it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ScreenSprite {
-    /// Pixel that the linear functions count from.
+    /// Pixel of the picture that the linear functions count from: the nearest to its centre.
     pub anchor: Vec2,
     /// n·ρ, the common denominator; positive where the ray meets the plane before the eye.
     pub denominator: Linear,
@@ -112,7 +112,9 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite, fade:
         (color.rgb * (1.0 - hazed), color.a * fade)
     });
 
-    let anchor = view.project(drawn.center).map_or(Vec2::new(view.width as f32, view.height as f32) * 0.5, Vec2::floor);
+    // Within the picture: counted from afar, large terms would all but cancel at its pixels.
+    let size = Vec2::new(view.width as f32, view.height as f32);
+    let anchor = view.project(drawn.center).map_or(size * 0.5, Vec2::floor).clamp(Vec2::ZERO, size);
     let plane = Plane::new(view, anchor, drawn.center, facing.right.cross(facing.up));
     let outline = outline(view, &quad);
     let depth = view.depth(drawn.center).max(NEAR_M);

@@ -22,4 +22,4 @@ pub use sky::Sky;
 pub use stations::{Place, Told, Unordered, skies};
 pub use strands::{Strand, strands};
 use timeline::minutes_apart;
-pub use timeline::{ApplyError, SPEEDS, take_air};
+pub use timeline::{ApplyError, SPEEDS, take_air, take_track};

@@ -58,21 +58,33 @@ pub fn take_air(document: &mut Document, skies: &[(f64, Sky)], speed: f64) -> Re
     }
     for (address, keys) in keyed {
         let target: Target = address.parse()?;
-        for edit in keys::cleared(document.scene(), &[target]).edits {
-            document.apply(edit)?;
-        }
         let Some((_, first)) = keys.first() else { continue };
         let address: Address = address.parse()?;
         let set = Edit::set(document.scene(), address, &Value::Number(*first))?;
         document.apply(set)?;
-        if skies.len() > 1 {
-            let mut next_id = document.scene().next_id;
-            let id = TrackId::new(&mut next_id);
-            let keys = keys.iter().map(|(time_s, value)| TrackKey::new(*time_s, KeyValue::One(*value))).collect();
-            document.apply(Edit::NextId(next_id))?;
-            let track = Track::new(id, target.to_string(), keys);
-            document.apply(Edit::Track(ListEdit::Insert { at: usize::MAX, value: track }))?;
-        }
+        let keys = if skies.len() > 1 { keys } else { Vec::new() };
+        let keys = keys.into_iter().map(|(time_s, value)| TrackKey::new(time_s, KeyValue::One(value))).collect();
+        take_track(document, target, keys)?;
     }
+    Ok(())
+}
+
+/// Has a property have a track of those keys in place of what it had, or none without keys; within the transaction that
+/// is open.
+///
+/// # Errors
+/// If an edit is refused.
+pub fn take_track(document: &mut Document, target: Target, keys: Vec<TrackKey>) -> Result<(), EditError> {
+    for edit in keys::cleared(document.scene(), &[target]).edits {
+        document.apply(edit)?;
+    }
+    if keys.is_empty() {
+        return Ok(());
+    }
+    let mut next_id = document.scene().next_id;
+    let id = TrackId::new(&mut next_id);
+    document.apply(Edit::NextId(next_id))?;
+    let track = Track::new(id, target.to_string(), keys);
+    document.apply(Edit::Track(ListEdit::Insert { at: usize::MAX, value: track }))?;
     Ok(())
 }

@@ -1,10 +1,8 @@
 //! Altocumulus stratiformis towards evening: flakes in ranks across the sky at 3,800 m, thin and torn at the field's
 //! edges.
 
-use super::Sketch;
-use super::look::levels;
-use super::sketch::Strew;
-use cloudwright_core::scene::{Category, CloudModel, ModelId, Scene};
+use super::{Sketch, by_plugin};
+use cloudwright_core::scene::{ModelId, Scene};
 use glam::DVec3;
 
 const BASE_M: f64 = 3800.0;
@@ -13,41 +11,21 @@ const BASE_M: f64 = 3800.0;
 const FIELD_M: [f64; 2] = [8200.0, 8600.0];
 const MIDDLE_M: [f64; 2] = [-700.0, -2300.0];
 
-/// What a rank is like: full in the field's middle, thinner outwards.
-#[derive(Clone, Copy)]
-struct Grade {
-    name: &'static str,
-    /// Share of the flakes that are there.
-    cover: f64,
-    /// Length of a flake, metres.
-    flake: [f64; 2],
-    category: Category,
-    /// Sprites tried for each flake.
-    count: u32,
-    /// Harder ones in its middle.
-    kernel: u32,
-}
-
-const GRADES: [Grade; 3] = [
-    Grade { name: "full", cover: 0.97, flake: [170.0, 340.0], category: Category::Nimbostratus, count: 7, kernel: 5 },
-    Grade { name: "thin", cover: 0.80, flake: [130.0, 270.0], category: Category::Nimbostratus, count: 6, kernel: 0 },
-    Grade { name: "torn", cover: 0.60, flake: [150.0, 300.0], category: Category::Stratus, count: 5, kernel: 0 },
+/// What a rank is like, full in the field's middle, thinner outwards: its name, and how the plugin's part makes it
+/// (scripts/plugins/parts/altocumulus.rhai).
+const GRADES: [(&str, &str); 3] = [
+    ("full", r#"share: 0.97, length: [170, 340], category: "nimbostratus", count: 7, kernel: 5"#),
+    ("thin", r#"share: 0.80, length: [130, 270], category: "nimbostratus", count: 6, kernel: 0"#),
+    ("torn", r#"share: 0.60, length: [150, 300], category: "stratus", count: 5, kernel: 0"#),
 ];
 
 pub(super) fn scene() -> Scene {
     let mut sketch = Sketch::new("Altocumulus", 83);
     let ranks: Vec<Vec<ModelId>> = GRADES
         .iter()
-        .map(|&grade| {
-            let variants = 0..3;
-            variants
-                .map(|i| {
-                    let model = rank(&mut sketch, i, grade);
-                    let id = model.id;
-                    sketch.scene.models.push(model);
-                    id
-                })
-                .collect()
+        .map(|(name, grade)| {
+            let call = |i| format!("rank(dice, \"{name} rank {i}\", #{{ {grade}, up: 0.0, flat: 1.0 }})");
+            (1..=3).map(|i| by_plugin::model(&mut sketch, &["altocumulus", "boxes"], "", &call(i))).collect()
         })
         .collect();
     place_ranks(&mut sketch, &ranks);
@@ -86,76 +64,4 @@ fn place_ranks(sketch: &mut Sketch, ranks: &[Vec<ModelId>]) {
             sketch.place(variants[number % variants.len()], &name, position, heading, scale, Some(number as u64));
         }
     }
-}
-
-/// A rank of flakes, some 2.2 km long, in two rows. A flake is a few tiles nearly as large as itself that let light
-/// through: only where they lie on one another is it dense, so its edge is thin.
-fn rank(sketch: &mut Sketch, i: usize, grade: Grade) -> CloudModel {
-    let levels = levels([
-        (0.0, 0.40, 0.43, 0.50, 0.42),
-        (0.3, 0.44, 0.47, 0.53, 0.56),
-        (0.5, 0.50, 0.53, 0.58, 0.64),
-        (0.75, 0.56, 0.58, 0.62, 0.64),
-        (1.0, 0.60, 0.61, 0.64, 0.55),
-    ]);
-    let mut model = sketch.model(&format!("{} rank {}", grade.name, i + 1), Category::Altocumulus, 1.0 / 5.5, levels);
-    for flake in 0..10 {
-        for side in 0..2 {
-            let there = sketch.roll(0.0, 1.0) < grade.cover;
-            let length = sketch.roll(grade.flake[0], grade.flake[1]);
-            let center = DVec3::new(
-                (f64::from(flake) - 4.5) * 225.0 + sketch.roll(-60.0, 60.0),
-                sketch.roll(0.0, 22.0),
-                (f64::from(side) - 0.5) * 340.0 + sketch.roll(-60.0, 60.0) + f64::from(flake % 2) * 80.0,
-            );
-            let turn_deg = sketch.roll(-24.0, 24.0).round();
-            if !there {
-                continue;
-            }
-            let flake_box = Strew {
-                center,
-                size: DVec3::new(length * 1.0, 18.0, length * 0.5),
-                count: grade.count,
-                sprite: [length * 0.6, length * 1.15],
-                squash: 0.64,
-                category: grade.category,
-                light: [0.0, 0.24, 0.98],
-                pull: 0.0,
-                turn_deg,
-                ..Strew::default()
-            };
-            let name = format!("flake {}.{}", flake + 1, side + 1);
-            sketch.strew(&mut model, &name, flake_box);
-            // Every other one, so that some flakes are dense and some are not.
-            if grade.kernel > 0 && (flake + side) % 2 == 0 {
-                let kernel = Strew {
-                    center: center + DVec3::Y * 12.0,
-                    size: flake_box.size * 0.62,
-                    count: grade.kernel,
-                    sprite: [length * 0.34, length * 0.62],
-                    category: Category::Altocumulus,
-                    ..flake_box
-                };
-                sketch.strew(&mut model, &format!("kernel {}.{}", flake + 1, side + 1), kernel);
-            }
-        }
-    }
-    for veil in 0..2 {
-        sketch.strew(
-            &mut model,
-            &format!("veil {}", veil + 1),
-            Strew {
-                center: DVec3::new((f64::from(veil) - 0.5) * 1100.0, -12.0, sketch.roll(-120.0, 120.0)),
-                size: DVec3::new(1150.0, 16.0, 620.0),
-                count: 9,
-                sprite: [320.0, 560.0],
-                squash: 0.7,
-                category: Category::Wisps,
-                light: [0.03, 0.26, 0.7],
-                pull: 0.0,
-                ..Strew::default()
-            },
-        );
-    }
-    model
 }

@@ -22,12 +22,10 @@ pub(super) fn scene() -> Scene {
     let small =
         Cumulus { base: [620.0, 480.0], height: 420.0, heaps: 7, heap_radius: [170.0, 250.0], peak: 0.5, wisps: 1 };
     let small = cumulus(&mut sketch, "mediocris", Category::CumulusHumilis, &small);
-    let [tower_id, congestus_id, small_id] = [tower.id, congestus.id, small.id];
-    sketch.scene.models.extend([tower, congestus, small]);
     let base = 1000.0;
-    sketch.place(tower_id, "cumulonimbus", DVec3::new(0.0, base, 0.0), 0.0, 1.0, None);
-    sketch.place(congestus_id, "congestus south", DVec3::new(-5200.0, base, 2600.0), 40.0, 1.0, None);
-    sketch.place(congestus_id, "congestus north", DVec3::new(5600.0, base, -3800.0), 200.0, 1.15, Some(2));
+    sketch.place(tower, "cumulonimbus", DVec3::new(0.0, base, 0.0), 0.0, 1.0, None);
+    sketch.place(congestus, "congestus south", DVec3::new(-5200.0, base, 2600.0), 40.0, 1.0, None);
+    sketch.place(congestus, "congestus north", DVec3::new(5600.0, base, -3800.0), 200.0, 1.15, Some(2));
     for (i, (east, south, scale)) in [
         (-3300.0, 5200.0, 1.1),
         (-8200.0, 5200.0, 1.3),
@@ -40,7 +38,7 @@ pub(super) fn scene() -> Scene {
     {
         let heading = sketch.roll(0.0, 360.0);
         sketch.place(
-            small_id,
+            small,
             &format!("mediocris {}", i + 1),
             DVec3::new(east, base, south),
             heading,

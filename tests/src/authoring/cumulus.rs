@@ -1,7 +1,7 @@
 //! Heaps, as the plugins make them (scripts/plugins/parts/cumulus.rhai).
 
 use super::{Sketch, by_plugin};
-use cloudwright_core::scene::{Category, CloudModel};
+use cloudwright_core::scene::{Category, ModelId};
 
 /// The measures of one kind of heap cloud, metres.
 pub struct Cumulus {
@@ -19,8 +19,8 @@ pub struct Cumulus {
     pub wisps: usize,
 }
 
-/// A model of that kind, with its base at y = 0.
-pub fn cumulus(sketch: &mut Sketch, name: &str, category: Category, c: &Cumulus) -> CloudModel {
+/// Adds a model of that kind, with its base at y = 0.
+pub fn cumulus(sketch: &mut Sketch, name: &str, category: Category, c: &Cumulus) -> ModelId {
     let Cumulus { base, height, heaps, heap_radius, peak, wisps } = c;
     let category = category.name();
     let call = format!(

@@ -19,15 +19,8 @@ pub(super) fn scene() -> Scene {
             cumulus_of([520.0, 330.0], 760.0, 8, [120.0, 220.0], 0.70, 3),
         ),
     ];
-    let models: Vec<_> = kinds
-        .iter()
-        .map(|(name, category, kind)| {
-            let model = cumulus(&mut sketch, name, *category, kind);
-            let id = model.id;
-            sketch.scene.models.push(model);
-            id
-        })
-        .collect();
+    let models: Vec<_> =
+        kinds.iter().map(|(name, category, kind)| cumulus(&mut sketch, name, *category, kind)).collect();
     let base = 1100.0;
     // Kind, east, south, scale: hand-placed, so that the main view has a foreground, a hero and a far row.
     let placements = [

@@ -19,12 +19,7 @@ pub(super) fn scene() -> Scene {
             Cumulus { base: [400.0, 280.0], height: 260.0, heaps: 7, heap_radius: [85.0, 150.0], peak: 0.45, wisps: 3 },
         ),
     ];
-    let [mediocris, humilis] = kinds.map(|(name, category, kind)| {
-        let model = cumulus(&mut sketch, name, category, &kind);
-        let id = model.id;
-        sketch.scene.models.push(model);
-        id
-    });
+    let [mediocris, humilis] = kinds.map(|(name, category, kind)| cumulus(&mut sketch, name, category, &kind));
     let base = 1050.0;
     let forms = Formation { start_s: 2.0, core_s: 8.0, edges_s: 6.0, ..Formation::default() };
     let dissolves =

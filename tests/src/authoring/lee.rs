@@ -1,10 +1,8 @@
 //! An evening in the lee of mountains that are not seen: lens clouds stand still in the wave while the wind goes through
 //! them, and below, torn heaps race past, their edges streaming in gusts.
 
-use super::Sketch;
 use super::cumulus::{Cumulus, cumulus};
-use super::look::levels;
-use super::sketch::Strew;
+use super::{Sketch, by_plugin};
 use cloudwright_core::scene::{Beyond, Category, Leaves, ModelId, Region, Scene, Weather};
 use glam::DVec3;
 
@@ -28,43 +26,9 @@ pub(super) fn scene() -> Scene {
     sketch.scene
 }
 
-/// Smooth stacks of plates, each a flat lens of soft tiles; the wind does not carry them.
+/// Smooth stacks of plates, as the plugin makes them; the wind does not carry them.
 fn lenses(sketch: &mut Sketch) {
-    let levels = levels([
-        (0.0, 0.30, 0.33, 0.40, 0.55),
-        (0.25, 0.38, 0.41, 0.47, 0.85),
-        (0.5, 0.48, 0.50, 0.54, 0.95),
-        (0.75, 0.55, 0.57, 0.60, 0.85),
-        (1.0, 0.60, 0.61, 0.63, 0.6),
-    ]);
-    let mut model = sketch.model("lens", Category::Nimbostratus, 1.0 / 6.0, levels);
-    // Up, half width, half depth.
-    let plates = [(0.0, 760.0, 480.0), (120.0, 1150.0, 700.0), (250.0, 960.0, 600.0), (360.0, 560.0, 360.0)];
-    for (i, (up, half_width, half_depth)) in plates.into_iter().enumerate() {
-        // Flat ellipses of wide tiles, thinner and smaller outwards, make a lens with a soft rim.
-        for (ring, (share, count, sprite)) in
-            [(0.35, 26, [0.75, 1.0]), (0.62, 26, [0.55, 0.75]), (0.85, 22, [0.38, 0.5])].into_iter().enumerate()
-        {
-            sketch.strew(
-                &mut model,
-                &format!("plate {}, ring {}", i + 1, ring + 1),
-                Strew {
-                    center: DVec3::new(0.0, up, sketch.roll(-30.0, 30.0)),
-                    size: DVec3::new(2.0 * half_width * share, 60.0 * (1.0 - share), 2.0 * half_depth * share),
-                    count,
-                    sprite: sprite.map(|side| side * half_width),
-                    squash: 0.2,
-                    category: Category::Nimbostratus,
-                    light: [0.0, 0.22, 0.95],
-                    lumps: [3, 1, 2],
-                    pull: 0.35,
-                    ..Strew::default()
-                },
-            );
-        }
-    }
-    let id = model.id;
-    sketch.scene.models.push(model);
+    let id = by_plugin::model(sketch, &["lens", "boxes"], "", "lens(dice, \"lens\", 1.0)");
     for (i, (east, up, south, scale)) in
         [(-1500.0, 2500.0, -3600.0, 1.25), (2700.0, 2750.0, -5600.0, 1.5), (-5200.0, 2650.0, -6600.0, 1.4)]
             .into_iter()
@@ -93,10 +57,7 @@ fn racing(sketch: &mut Sketch) {
         ("scrap", Category::CumulusHumilis, [230.0, 140.0], 130.0, 4, [55.0, 90.0], 0.35, 4),
     ];
     let model = |(name, category, base, height, heaps, heap_radius, peak, wisps): (_, _, _, _, _, _, _, _)| {
-        let model = cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps });
-        let id = model.id;
-        sketch.scene.models.push(model);
-        id
+        cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps })
     };
     let models: Vec<ModelId> = kinds.map(model).into();
     for i in 0..34_u32 {

@@ -1,4 +1,4 @@
-//! How the shipped scenes are made: sketches in metres that become boxes, levels and groups.
+//! How the shipped scenes are made: the plugins and their parts make clouds, and sketches place them, in metres.
 //!
 //! The scenes are plain files that an artist could have saved; writing them from code keeps two hundred boxes
 //! consistent and lets a change of taste be made in one place. `cargo run -p cloudwright-tests --bin renew` writes

@@ -3,10 +3,8 @@
 //! Two hundred boxes in forty clouds, a hundred sprites each after culling. The deck is some 300 m thick: a level grey
 //! base, rolls along the wind, and flattened heads on top with narrow gaps between the rolls.
 
-use super::Sketch;
-use super::look::levels;
-use super::sketch::Strew;
-use cloudwright_core::scene::{Category, CloudModel, Scene};
+use super::{Sketch, by_plugin};
+use cloudwright_core::scene::Scene;
 use glam::DVec3;
 
 /// Forty cells: 8 rolls of 5.
@@ -22,10 +20,9 @@ pub(super) fn scene() -> Scene {
     let mut sketch = Sketch::new("Stratocumulus overcast", 41);
     let models: Vec<_> = (0..INNER + EDGE)
         .map(|i| {
-            let model = cell(&mut sketch, i, i >= INNER);
-            let id = model.id;
-            sketch.scene.models.push(model);
-            id
+            let (kind, edge) = if i < INNER { ("cell", false) } else { ("edge cell", true) };
+            let call = format!("cell(dice, \"{kind} {}\", 1.0, {edge})", i + 1);
+            by_plugin::model(&mut sketch, &["deck", "boxes"], "", &call)
         })
         .collect();
     let (roll_width, cell_length) = (EXTENT_M / ROLLS as f64, EXTENT_M / CELLS as f64);
@@ -72,79 +69,4 @@ fn down(sketch: &mut Sketch) {
         (16.0, DVec3::new(90.0, 790.0, 80.0), [0.0, 10.0]),
     ];
     sketch.path("down", 58.0, &keys);
-}
-
-/// One cell of a roll, some 850 m × 480 m: base, two bodies, a crest, heads. Each layer has tiles from small to twice
-/// as large, so that smooth swellings lie between the fine ones. At the deck's `edge` the cell is low.
-fn cell(sketch: &mut Sketch, i: usize, edge: bool) -> CloudModel {
-    let levels = levels([
-        (0.0, 0.27, 0.31, 0.38, 0.92),
-        (0.15, 0.32, 0.36, 0.43, 0.97),
-        (0.40, 0.45, 0.49, 0.55, 1.0),
-        (0.70, 0.55, 0.58, 0.62, 1.0),
-        (1.0, 0.62, 0.64, 0.67, 1.0),
-    ]);
-    let name = format!("{} {}", if edge { "edge cell" } else { "cell" }, i + 1);
-    let mut model = sketch.model(&name, Category::Stratocumulus, 0.14, levels);
-    let low = if edge { 0.55 } else { 1.0 };
-    let strew = Strew { count: 116, squash: 0.8, light: [0.0, 0.20, 0.90], pull: 0.28, ..Strew::default() };
-    sketch.strew(
-        &mut model,
-        "base",
-        Strew {
-            center: DVec3::new(0.0, 45.0, 0.0),
-            size: DVec3::new(880.0, 30.0, 490.0),
-            count: 108,
-            sprite: [120.0, 230.0],
-            squash: 0.6,
-            category: Category::Stratus,
-            light: [0.0, 0.10, 0.34],
-            lumps: [5, 1, 3],
-            ..strew
-        },
-    );
-    for (side, name) in [(-1.0, "body west"), (1.0, "body east")] {
-        sketch.strew(
-            &mut model,
-            name,
-            Strew {
-                center: DVec3::new(
-                    side * 215.0,
-                    60.0 + 62.0 * low + sketch.roll(-10.0, 15.0),
-                    sketch.roll(-30.0, 30.0),
-                ),
-                size: DVec3::new(430.0, 110.0 * low, 410.0),
-                sprite: [95.0, 215.0],
-                category: Category::Stratocumulus,
-                lumps: [3, 1, 3],
-                ..strew
-            },
-        );
-    }
-    sketch.strew(
-        &mut model,
-        "crest",
-        Strew {
-            center: DVec3::new(sketch.roll(-60.0, 60.0), 60.0 + 145.0 * low, sketch.roll(-40.0, 40.0)),
-            size: DVec3::new(740.0, 80.0 * low, 300.0),
-            sprite: [95.0, 270.0],
-            category: Category::Stratocumulus,
-            lumps: [5, 1, 2],
-            ..strew
-        },
-    );
-    sketch.strew(
-        &mut model,
-        "heads",
-        Strew {
-            center: DVec3::new(sketch.roll(-80.0, 80.0), 60.0 + 195.0 * low, sketch.roll(-30.0, 30.0)),
-            size: DVec3::new(680.0, 70.0 * low, 240.0),
-            sprite: [80.0, 240.0],
-            category: Category::CumulusHumilis,
-            light: [0.0, 0.24, 1.04],
-            lumps: [5, 1, 2],
-            ..strew
-        },
-    );
-    model
 }

@@ -9,9 +9,7 @@ pub(super) fn scene() -> Scene {
     let mut sketch = Sketch::new("Single cumulus", 14);
     let kind =
         Cumulus { base: [640.0, 470.0], height: 860.0, heaps: 9, heap_radius: [165.0, 255.0], peak: 0.62, wisps: 3 };
-    let model = cumulus(&mut sketch, "cumulus", Category::CumulusCongestus, &kind);
-    let id = model.id;
-    sketch.scene.models.push(model);
+    let id = cumulus(&mut sketch, "cumulus", Category::CumulusCongestus, &kind);
     let base = 900.0;
     sketch.place(id, "cumulus", DVec3::new(0.0, base, 0.0), 20.0, 1.0, None);
     sketch.scene.time_of_day_h = 16.5;

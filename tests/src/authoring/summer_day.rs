@@ -45,10 +45,7 @@ fn models(sketch: &mut Sketch) -> Vec<ModelId> {
         ("congestus", Category::CumulusCongestus, [640.0, 500.0], 960.0, 11, [145.0, 255.0], 0.72, 2),
     ];
     let model = |(name, category, base, height, heaps, heap_radius, peak, wisps): (_, _, _, _, _, _, _, _)| {
-        let model = cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps });
-        let id = model.id;
-        sketch.scene.models.push(model);
-        id
+        cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps })
     };
     kinds.map(model).into()
 }

@@ -20,6 +20,7 @@ mod reports;
 mod scene_file;
 mod scene_glb;
 mod shading;
+mod skies;
 mod sprites;
 mod suite;
 mod thin;

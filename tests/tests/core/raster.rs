@@ -4,7 +4,8 @@ use cloudwright_core::color::Premultiplied;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Layer;
-use cloudwright_core::raster::{fast, plain};
+use cloudwright_core::random::{draw, unit};
+use cloudwright_core::raster::{fast, plain, prepare};
 use cloudwright_core::rules::NEVER_STOP;
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sight::Sight;
@@ -173,4 +174,57 @@ fn any_size_of_picture() {
             assert!(difference <= FAST_IS_PLAIN, "{size:?}: {difference}");
         });
     }
+}
+
+/// A sprite is sampled where its plane lies, also one that is mostly beside the picture, whose centre may lie thousands
+/// of pixels from it.
+///
+/// Linear functions are no larger in the picture than its longest ray R, times ½ + 2·distance/extent for a coordinate:
+/// their three terms are then at most five times that, each off by three roundings of 2⁻²⁴ and their sums by two.
+#[test]
+fn sprites_are_hit_where_they_lie() {
+    let scene = heap(25);
+    let derived = Derived::new(&scene);
+    let mut checked = 0;
+    for index in 0..200 {
+        let roll = |number: u32, from: f64, to: f64| from + (to - from) * unit(draw(7, 0, index, number)[0]);
+        let camera = Camera {
+            heading_deg: roll(0, 0.0, 360.0),
+            pitch_deg: roll(1, -90.0, 90.0),
+            field_of_view_deg: roll(2, 40.0, 150.0),
+            ..Camera::free(DVec3::new(roll(3, -300.0, 300.0), roll(4, 900.0, 1200.0), roll(5, -300.0, 300.0)))
+        };
+        let frame = Frame::new(&scene, &derived, Atlas::built_in(), &Sight::still(&camera, [90, 40]));
+        let view = &frame.view;
+        let longest = f64::from(view.ray(0.0, 0.0).length());
+        for (drawn, on_screen) in frame.list.sprites.iter().zip(prepare(&frame)) {
+            let posed = frame.posed(drawn);
+            let facing = posed.facing;
+            let normal = -facing.right.cross(facing.up).as_dvec3();
+            let center = drawn.center.as_dvec3();
+            for (x, y) in (0..9).flat_map(|x| (0..4).map(move |y| (5.5 + 10.0 * x as f32, 5.5 + 10.0 * y as f32))) {
+                let Some(hit) = on_screen.hit(x, y) else { continue };
+                let pixel = f64::from(view.pixel());
+                let ray = view.forward.as_dvec3()
+                    + view.right.as_dvec3() * ((f64::from(x) - 45.0) * pixel)
+                    + view.up.as_dvec3() * ((20.0 - f64::from(y)) * pixel);
+                let denominator = ray.dot(normal);
+                let from_center = ray * (normal.dot(center) / denominator) - center;
+                for (got, axis, extent) in
+                    [(hit.u, facing.right, posed.sprite.width), (hit.v, -facing.up, posed.sprite.height)]
+                {
+                    let extent = f64::from(extent);
+                    let wanted = 0.5 + from_center.dot(axis.as_dvec3()) / extent;
+                    let terms = 5.0 * longest * (1.5 + 2.0 * center.length() / extent) / denominator;
+                    let most = 5.0 * 0.5f64.powi(24) * (terms + 1.0);
+                    let off = (f64::from(got) - wanted).abs();
+                    assert!(off <= most, "{camera:?}, sprite {}: {off:e} off, {most:e} at most", drawn.sprite);
+                    checked += 1;
+                }
+            }
+            let begin = f64::from(on_screen.denominator.at_anchor.abs());
+            assert!(begin <= 1.00001 * longest, "{begin} at the anchor {}, {longest} at most", on_screen.anchor);
+        }
+    }
+    assert!(checked > 10_000, "{checked}");
 }

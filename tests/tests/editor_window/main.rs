@@ -6,6 +6,7 @@
 
 mod arranging;
 mod chart_panel;
+mod clock;
 mod colors;
 mod crowd;
 mod drawing_boxes;

@@ -1,4 +1,4 @@
-//! Keys: set by the diamonds beside fields, dragged, copied and deleted in the timeline, played between marks.
+//! Keys: set by the diamonds beside fields, dragged, copied and deleted in the timeline.
 
 use crate::Window;
 use crate::tools::opened;
@@ -10,20 +10,20 @@ use egui::accesskit::Role;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
-const RULER: &str = "Clock in the timeline";
+pub(crate) const RULER: &str = "Clock in the timeline";
 
 impl Window {
-    fn put_timeline(&mut self, time_s: f64) {
+    pub(crate) fn put_timeline(&mut self, time_s: f64) {
         self.node(Role::Slider, RULER).set_value_accesskit(time_s);
         self.settle();
     }
 
-    fn timeline_s(&self) -> f64 {
+    pub(crate) fn timeline_s(&self) -> f64 {
         self.node(Role::Slider, RULER).accesskit_node().numeric_value().expect("a time")
     }
 
     /// A button that may lie out of sight.
-    fn ask(&mut self, button: &str) {
+    pub(crate) fn ask(&mut self, button: &str) {
         self.node(Role::Button, button).click_accesskit();
         self.settle();
     }
@@ -41,11 +41,11 @@ impl Window {
         self.scene().tracks.iter().find(|track| track.property == property).expect("a track")
     }
 
-    fn times(&self, property: &str) -> Vec<f64> {
+    pub(crate) fn times(&self, property: &str) -> Vec<f64> {
         self.track(property).keys.iter().map(|key| key.time_s).collect()
     }
 
-    fn key_named(&self, name: &str) -> Pos2 {
+    pub(crate) fn key_named(&self, name: &str) -> Pos2 {
         self.node(Role::Button, name).rect().center()
     }
 
@@ -74,7 +74,7 @@ impl Window {
 }
 
 /// A window with the timeline and keys of the exposure at 10, 20 and 30 s, of 1, 2 and 3 EV.
-fn with_exposure() -> Window {
+pub(crate) fn with_exposure() -> Window {
     let mut window = opened();
     window.command(Command::SkyPanel);
     window.command(Command::TimelinePanel);
@@ -268,31 +268,6 @@ fn tracks_are_found_folded_and_shown_as_curves() {
 }
 
 #[test]
-fn it_plays_between_its_marks() {
-    let mut window = with_exposure();
-    window.put_timeline(4.0);
-    window.command(Command::MarkOut);
-    window.put_timeline(2.0);
-    window.command(Command::MarkIn);
-    window.command(Command::LoopFlight);
-    window.command(Command::PlayFlight);
-    let mut times = Vec::new();
-    for _ in 0..24 {
-        window.harness.step();
-        times.push(window.timeline_s());
-    }
-    assert!(times.iter().all(|time_s| (2.0..=4.0).contains(time_s)), "{times:?}");
-    assert!(times.windows(2).any(|pair| pair[1] < pair[0]), "it goes round: {times:?}");
-    window.command(Command::PlayFlight);
-    window.command(Command::ClearMarks);
-    // A drag in the ruler scrubs, and stops at a key.
-    let x = window.key_named("key of Exposure at 20 s").x;
-    let ruler = window.node(Role::Slider, RULER).rect();
-    window.drag(Pos2::new(x - 60.0, ruler.center().y), vec2(62.0, 0.0));
-    assert_eq!(window.timeline_s(), 20.0);
-}
-
-#[test]
 fn a_double_click_adds_a_key_and_the_wheel_zooms() {
     let mut window = with_exposure();
     let [at, next] = ["key of Exposure at 10 s", "key of Exposure at 20 s"].map(|name| window.key_named(name));
@@ -447,63 +422,4 @@ fn ends_and_snapping_by_command_and_a_thing_stops_moving() {
     window.command(Command::ClearKeys);
     assert_eq!(window.scene().tracks.len(), 1);
     assert_eq!(window.undo_name().as_deref(), Some("Clear all keys"));
-}
-
-#[test]
-fn the_shading_curve_and_the_view_go_by_the_clock() {
-    let mut window = opened();
-    let (cloud, model) = (window.scene().clouds[0].clone(), window.scene().models[0].clone());
-    window.command(Command::GroupsPanel);
-    window.command(Command::TimelinePanel);
-    window.select([Item::Box(model.id, model.boxes[0].id)]);
-    window.ask("Key Across");
-    window.command(Command::AutoKey);
-    window.put_timeline(10.0);
-    let dot = |window: &Window| window.node(Role::Slider, "Across").accesskit_node().numeric_value().expect("a share");
-    let before = dot(&window);
-    window.node(Role::Slider, "Across").set_value_accesskit(before - 0.4);
-    window.settle();
-    let track = format!("model/{}/box/{}/light/c_med", model.id, model.boxes[0].id);
-    assert_eq!(window.times(&track), [0.0, 10.0], "a dot that is dragged sets a key");
-    assert_eq!(window.scene().models[0].boxes[0].light, model.boxes[0].light);
-    window.put_timeline(5.0);
-    assert!((dot(&window) - before + 0.2).abs() < 1e-6, "half way");
-
-    window.select([Item::Cloud(cloud.id)]);
-    window.ask("Key Position");
-    window.put_timeline(20.0);
-    window.set("Position x", cloud.position.x + 5000.0);
-    let mut eye = |time_s: f64| {
-        window.put_timeline(time_s);
-        window.command(Command::FrameSelection);
-        window.harness.state().camera().position
-    };
-    let way = eye(20.0) - eye(5.0);
-    assert!((way.x - 5000.0).abs() < 1.0 && way.y.abs() < 1.0, "{way}");
-}
-
-#[test]
-fn a_camera_is_drawn_and_picked_where_its_tracks_have_it() {
-    let mut window = opened();
-    window.command(Command::TimelinePanel);
-    window.command(Command::AddCamera);
-    let camera = window.scene().cameras.as_slice().last().expect("it was added").clone();
-    window.select([Item::Camera(camera.id)]);
-    window.ask("Key Position");
-    window.command(Command::AutoKey);
-    window.put_timeline(10.0);
-    let ahead = window.view().ray(200.0, 100.0);
-    let place = camera.position + ahead.as_dvec3() * 300.0;
-    for (axis, value) in ["Position x", "Position y", "Position z"].into_iter().zip(place.to_array()) {
-        window.set(axis, value);
-    }
-    window.command(Command::ShowBoxes);
-    window.select([]);
-    let at = window.on_screen(place);
-    window.click(at, Modifiers::NONE);
-    assert_eq!(window.primary(), Some(Item::Camera(camera.id)));
-    window.put_timeline(0.0);
-    window.select([]);
-    window.click(at, Modifiers::NONE);
-    assert_ne!(window.primary(), Some(Item::Camera(camera.id)), "by then it is here");
 }

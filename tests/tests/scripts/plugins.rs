@@ -122,17 +122,52 @@ fn a_cumulus_field_covers_what_was_asked_for() {
 fn layers_cover_what_was_asked_for_over_others() {
     let _turn = turn();
     let below = scene();
-    for (name, oktas, half_m, base_m) in [
-        ("stratocumulus_deck", "8", 8_000.0, 1_000.0),
-        ("stratocumulus_deck", "4.5", 8_000.0, 1_000.0),
-        ("stratocumulus_deck", "1.5", 8_000.0, 1_000.0),
-        ("altocumulus_sheet", "2", 12_000.0, 3_800.0),
-        ("altocumulus_sheet", "6", 12_000.0, 3_800.0),
+    let broad: &[(&str, &str)] = &[];
+    let fine: &[(&str, &str)] = &[("grain", "fine"), ("width_m", "5000"), ("depth_m", "5000")];
+    for (name, more, oktas, half_m, base_m) in [
+        ("stratocumulus_deck", broad, "8", 8_000.0, 1_000.0),
+        ("stratocumulus_deck", broad, "4.5", 8_000.0, 1_000.0),
+        ("stratocumulus_deck", broad, "1.5", 8_000.0, 1_000.0),
+        ("stratocumulus_deck", fine, "8", 2_500.0, 1_000.0),
+        ("stratocumulus_deck", fine, "4", 2_500.0, 1_000.0),
+        ("altocumulus_sheet", broad, "2", 12_000.0, 3_800.0),
+        ("altocumulus_sheet", broad, "6", 12_000.0, 3_800.0),
+        ("stratus_sheet", broad, "1.5", 3_500.0, 330.0),
+        ("stratus_sheet", broad, "4.5", 3_500.0, 330.0),
+        ("stratus_sheet", broad, "8", 3_500.0, 330.0),
     ] {
-        let got = measured_oktas(name, &below, &[("oktas", oktas)], half_m, base_m);
+        let set = [more, &[("oktas", oktas)]].concat();
+        let got = measured_oktas(name, &below, &set, half_m, base_m);
         let wanted: f64 = oktas.parse().expect("a number");
-        assert!((got - wanted).abs() <= 0.5, "{name}: {got} oktas for {wanted}");
+        assert!((got - wanted).abs() <= 0.5, "{name} {more:?}: {got} oktas for {wanted}");
     }
+}
+
+/// What makes a layer is told of it by the same names.
+#[test]
+fn layers_share_the_names_of_their_parameters() {
+    const SHARED: [&str; 7] = ["oktas", "base_m", "thickness_m", "width_m", "depth_m", "center_x_m", "center_z_m"];
+    let mut layers = Vec::new();
+    for shipped in SHIPPED {
+        let plugin = Plugin::read(shipped.source).expect(shipped.name);
+        let names: Vec<&str> = plugin.description.parameters.iter().map(|parameter| parameter.name.as_str()).collect();
+        if names.first() == Some(&"oktas") {
+            assert_eq!(names[..SHARED.len()], SHARED, "{}", shipped.name);
+            assert_eq!(names.last(), Some(&"seed"), "{}", shipped.name);
+            layers.push(shipped.name);
+        }
+    }
+    let wanted = ["altocumulus_sheet", "cumulonimbus", "cumulus_field", "stratocumulus_deck", "stratus_sheet"];
+    assert_eq!(layers, wanted);
+}
+
+#[test]
+fn a_fine_deck_is_a_small_one() {
+    let plugin = Plugin::read(named("stratocumulus_deck").expect("a plugin").source).expect("a plugin");
+    let mut values = plugin.values();
+    values.set(&plugin.description.parameters, "grain", "fine").expect("a choice");
+    let error = plugin.run(&scene(), &values, &patient()).expect_err("of 16 km");
+    assert!(error.to_string().contains("36 square kilometres at most"), "{error}");
 }
 
 #[test]
