@@ -4,11 +4,9 @@
 //! does not panic.
 
 use crate::skies::check_sky;
-use cloudwright_core::formats::metar::{self, Cover, LayerKind, Report, WindFrom};
+use cloudwright_core::formats::metar::{self, LayerKind, Report, WindFrom};
 use cloudwright_core::random::draw;
-use cloudwright_core::reported::layers;
 use cloudwright_core::scene::Scene;
-use std::collections::BTreeMap;
 use std::fmt::Write;
 
 pub(crate) fn read(line: &str) -> Report {

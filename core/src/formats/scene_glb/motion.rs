@@ -142,7 +142,7 @@ impl Animation<'_> {
                 (time, last.as_quat().normalize().to_array())
             })
             .collect();
-        self.channel(json!({ "node": node, "path": "rotation" }), &near);
+        self.channel(&json!({ "node": node, "path": "rotation" }), &near);
     }
 
     fn drift(&mut self, node: usize, cloud: &PlacedCloud, derived: &Derived, times_s: &[f64]) {
@@ -156,7 +156,7 @@ impl Animation<'_> {
     fn go(&mut self, node: usize, times_s: &[f64], place: impl Fn(f64) -> DVec3) {
         let places = sampled(times_s, place, |a, b, share| a.lerp(b, share), |a, b| a.distance(b) <= TOLERANCE_M);
         let places: Vec<_> = places.into_iter().map(|(time, place)| (time, place.as_vec3().to_array())).collect();
-        self.channel(json!({ "node": node, "path": "translation" }), &places);
+        self.channel(&json!({ "node": node, "path": "translation" }), &places);
     }
 
     /// Moves the alpha of a cloud's own material. Whether it has one.
@@ -171,11 +171,11 @@ impl Animation<'_> {
         let factors: Vec<_> = alphas.into_iter().map(|(time, alpha)| (time, [1.0, 1.0, 1.0, alpha as f32])).collect();
         let pointer = format!("/materials/{material}/pbrMetallicRoughness/baseColorFactor");
         let target = json!({ "path": "pointer", "extensions": { "KHR_animation_pointer": { "pointer": pointer } } });
-        self.channel(target, &factors);
+        self.channel(&target, &factors);
         true
     }
 
-    fn channel<const N: usize>(&mut self, target: Value, keys: &[(f64, [f32; N])]) {
+    fn channel<const N: usize>(&mut self, target: &Value, keys: &[(f64, [f32; N])]) {
         let times: Vec<[f32; 1]> = keys.iter().map(|(time, _)| [*time as f32]).collect();
         let values: Vec<[f32; N]> = keys.iter().map(|(_, value)| *value).collect();
         let sampler = json!({
