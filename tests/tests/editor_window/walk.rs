@@ -48,7 +48,14 @@ impl Walk {
 
     /// A command of the table that needs no answer.
     fn command(&mut self) -> Command {
-        let asks = [Command::AddPreset, Command::PlaceMany, Command::Palette, Command::PlayTime, Command::SwitchTheme];
+        let asks = [
+            Command::AddPreset,
+            Command::PlaceMany,
+            Command::WeatherReport,
+            Command::Palette,
+            Command::PlayTime,
+            Command::SwitchTheme,
+        ];
         let able: Vec<Command> = TABLE
             .iter()
             .filter(|row| row.menu != Menu::File && row.menu != Menu::Window && !asks.contains(&row.command))
