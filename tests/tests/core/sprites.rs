@@ -89,9 +89,9 @@ fn a_rotated_box_is_filled_truly() {
 fn hand_moved_sprites_stay_and_hand_dropped_ones_go() {
     let mut scene = heap(60);
     let edits = vec![
-        SpriteEdit { index: 3, moved: Some(DVec3::new(0.1, 0.2, 0.3)), dropped: false, group: None },
-        SpriteEdit { index: 4, moved: Some(DVec3::new(0.1, 0.2, 0.3)), dropped: false, group: None },
-        SpriteEdit { index: 5, moved: None, dropped: true, group: None },
+        SpriteEdit { moved: Some(DVec3::new(0.1, 0.2, 0.3)), ..SpriteEdit::new(3) },
+        SpriteEdit { moved: Some(DVec3::new(0.1, 0.2, 0.3)), ..SpriteEdit::new(4) },
+        SpriteEdit { dropped: true, ..SpriteEdit::new(5) },
     ];
     scene.models[0].boxes[0].sprite_edits = edits;
     let (id, center) = (scene.models[0].boxes[0].id, scene.models[0].boxes[0].center);
