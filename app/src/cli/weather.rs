@@ -71,7 +71,7 @@ pub(super) struct Arguments {
 /// Of a file of reports, and more than a year of them.
 const MOST_BYTES: usize = 4 << 20;
 /// A sky of many layers takes that long; Ctrl-C ends it before.
-const PATIENCE: Duration = Duration::from_secs(60);
+pub(super) const PATIENCE: Duration = Duration::from_secs(60);
 
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -142,7 +142,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if made.skies.len() > 1 {
         say(&format!("{} became tracks", counted(made.skies.len(), "time", "times")));
     }
-    made.layers.iter().for_each(tell_layer);
+    made.layers.iter().for_each(|layer| say(&layer_line(layer)));
     if made.layers.is_empty() {
         say("the report has no clouds");
     }
@@ -233,7 +233,7 @@ fn tell_json<'a>(lines: &'a [Line], made: Option<&'a reports::Made>) -> Result<(
 }
 
 /// `BKN cumulus, base 1070 m, 800 m thick: 14 clouds, 5.8 oktas where 6 are asked for`.
-fn tell_layer(made: &MadeLayer) {
+pub(super) fn layer_line(made: &MadeLayer) -> String {
     let MadeLayer { layer, clouds, cover, .. } = made;
     let genus = serde_json::to_value(layer.genus).unwrap_or_default();
     let genus = genus.as_str().unwrap_or_default().replace('_', " ");
@@ -242,12 +242,12 @@ fn tell_layer(made: &MadeLayer) {
         format!("{genus}, base {:.0} m above the station{assumed}, {:.0} m thick", layer.base_m, layer.thickness_m);
     let fullest = cover.iter().copied().reduce(|a, b| if b.asked_oktas > a.asked_oktas { b } else { a });
     match fullest {
-        Some(cover) => say(&format!(
+        Some(cover) => format!(
             "{what}: {}, {:.1} oktas where {} are asked for",
             counted(clouds.len(), "cloud", "clouds"),
             cover.measured_oktas,
             cover.asked_oktas
-        )),
-        None => say(&format!("{what}: no clouds; the haze is as the visibility has it")),
+        ),
+        None => format!("{what}: no clouds; the haze is as the visibility has it"),
     }
 }

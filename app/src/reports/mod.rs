@@ -4,5 +4,5 @@
 pub mod making;
 pub mod reading;
 
-pub use making::{Made, MadeLayer, MakeError, Making, make};
+pub use making::{Made, MadeLayer, MakeError, Making, make, make_sky};
 pub use reading::{Line, lines};

@@ -6,6 +6,7 @@ mod architecture;
 mod assets;
 mod derived;
 mod draw_list;
+mod exchange;
 mod export;
 mod filter;
 mod flight;
