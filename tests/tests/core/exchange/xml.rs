@@ -29,7 +29,7 @@ fn what_is_broken_or_without_bounds_is_refused() {
     let deep = "<a>".repeat(100_000);
     let many = format!("<a>{}</a>", "<b/>".repeat(MOST_NODES + 1));
     for (text, wanted) in [
-        (&attributes, "more than 256 attributes"),
+        (&attributes[..], "more than 256 attributes"),
         ("", "line 1: it has no element"),
         ("<a>\n<b>\n", "line 3: it ends within b"),
         ("<a>\n</b>", "line 2:"),
