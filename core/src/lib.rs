@@ -17,6 +17,7 @@ pub mod detail;
 pub mod document;
 pub mod draw;
 pub mod draw_list;
+pub mod exchange;
 pub mod facing;
 pub mod flight;
 pub mod formats;

@@ -86,7 +86,15 @@ pub fn everything() -> Scene {
             ShadingGroup { id: GroupId::new(next), name: "group".into(), light }
         })
         .collect();
-    let sprite = SpriteEdit { index: 3, moved: Some(DVec3::splat(0.25)), dropped: false, group: Some(groups[0].id) };
+    let sprite = SpriteEdit {
+        moved: Some(DVec3::splat(0.25)),
+        width: Some(180.0),
+        height: Some(120.0),
+        rotation_deg: Some(-10.0),
+        tile: Some(9),
+        group: Some(groups[0].id),
+        ..SpriteEdit::new(3)
+    };
     for cull_radius in [CullRadius::SpriteFraction(0.3), CullRadius::CloudHeightFraction(0.2), CullRadius::Metres(60.0)]
     {
         let mut model = CloudModel::new(ModelId::new(next), "model", Category::CumulusHumilis);

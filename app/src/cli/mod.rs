@@ -7,9 +7,12 @@ mod arguments;
 mod chart;
 mod check;
 mod edit;
+mod exchange;
 mod export;
 mod failure;
 mod fly;
+mod formats;
+mod import;
 mod info;
 mod input;
 mod misspelt;
@@ -60,6 +63,8 @@ fn perform(arguments: &Arguments) -> Result<(), Failure> {
         Some(Subcommand::Check(arguments)) => check::run(arguments),
         Some(Subcommand::Info(arguments)) => info::run(arguments),
         Some(Subcommand::Export(arguments)) => export::run(arguments),
+        Some(Subcommand::Formats(arguments)) => formats::run(arguments),
+        Some(Subcommand::Import(arguments)) => import::run(arguments),
         Some(Subcommand::Thin(arguments)) => thin::run(arguments),
         Some(Subcommand::Run(arguments)) => run::run(arguments),
         Some(Subcommand::Plugins(arguments)) => plugins::run(arguments),

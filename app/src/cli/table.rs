@@ -1,6 +1,6 @@
 //! The subcommands, and what stands before them.
 
-use super::{chart, check, export, fly, info, new, plugins, render, run, thin, weather};
+use super::{chart, check, export, fly, formats, import, info, new, plugins, render, run, thin, weather};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -49,8 +49,12 @@ pub(super) enum Subcommand {
     Check(check::Arguments),
     /// Count a scene's models, boxes and sprites, and list its tracks
     Info(info::Arguments),
-    /// Write a scene's sprites for other tools
+    /// Write a scene for other tools
     Export(export::Arguments),
+    /// Take what another tool made into a scene
+    Import(import::Arguments),
+    /// List the formats that scenes leave as and come from
+    Formats(formats::Arguments),
     /// Drop the sprites that a scene can do without
     Thin(thin::Arguments),
     /// Have a plugin make clouds, a look or weather

@@ -140,7 +140,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     if made.skies.len() > 1 {
         say(&format!("{} became tracks", counted(made.skies.len(), "time", "times")));
     }
-    made.layers.iter().for_each(tell_layer);
+    made.layers.iter().for_each(|layer| say(&layer_line(layer)));
     if made.layers.is_empty() {
         say("the report has no clouds");
     }
@@ -225,16 +225,16 @@ fn tell_json<'a>(lines: &'a [Line], made: Option<&'a reports::Made>) -> Result<(
 }
 
 /// `BKN cumulus, base 1070 m, 800 m thick: 14 clouds, 5.8 oktas where 6 are asked for`.
-fn tell_layer(made: &MadeLayer) {
+pub(super) fn layer_line(made: &MadeLayer) -> String {
     let MadeLayer { layer, clouds, .. } = made;
     let what = words::layer(layer, Units::Metric);
     match made.fullest() {
-        Some(cover) => say(&format!(
+        Some(cover) => format!(
             "{what}: {}, {:.1} oktas where {} are asked for",
             counted(clouds.len(), "cloud", "clouds"),
             cover.measured_oktas,
             cover.asked_oktas
-        )),
-        None => say(&format!("{what}: no clouds; the haze is as the visibility has it")),
+        ),
+        None => format!("{what}: no clouds; the haze is as the visibility has it"),
     }
 }

@@ -129,7 +129,29 @@ const SAME_BASE_M: f64 = 1.0;
 /// If the reports are no timeline, or a plugin fails, or `patience` ends; the document is then as before.
 pub fn make(document: &mut Document, told: &[Told], making: &Making, patience: &Patience) -> Result<Made, MakeError> {
     document.begin("Weather from a report");
-    match made(document, told, making, patience) {
+    let made = made(document, told, making, patience);
+    closed(document, made)
+}
+
+/// Has `document`'s scene take `sky`, as one undo point of that name.
+///
+/// # Errors
+/// If a plugin fails, or `patience` ends; the document is then as before.
+pub fn make_sky(
+    document: &mut Document,
+    name: &str,
+    sky: Sky,
+    making: &Making,
+    patience: &Patience,
+) -> Result<Made, MakeError> {
+    document.begin(name);
+    let made = laid(document, vec![(0.0, sky)], making, patience);
+    closed(document, made)
+}
+
+/// Keeps what was made, or takes back what was begun.
+fn closed(document: &mut Document, made: Result<Made, MakeError>) -> Result<Made, MakeError> {
+    match made {
         Ok(made) => {
             document.commit()?;
             Ok(made)
@@ -146,6 +168,15 @@ fn made(document: &mut Document, told: &[Told], making: &Making, patience: &Pati
     let here = Place { latitude_deg: site.latitude_deg, longitude_deg: site.longitude_deg };
     document.apply(Edit::Site(site))?;
     let skies = reported::skies(told, here, document.scene())?;
+    laid(document, skies, making, patience)
+}
+
+fn laid(
+    document: &mut Document,
+    skies: Vec<(f64, Sky)>,
+    making: &Making,
+    patience: &Patience,
+) -> Result<Made, MakeError> {
     let speed = making.speed.clamp(*reported::SPEEDS.start(), *reported::SPEEDS.end());
     reported::take_air(document, &skies, speed)?;
     if !making.keeps_clouds {

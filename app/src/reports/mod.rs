@@ -5,5 +5,5 @@ pub mod making;
 pub mod reading;
 pub mod words;
 
-pub use making::{Cover, MOST_TIME, Made, MadeLayer, MakeError, Making, make};
+pub use making::{Cover, MOST_TIME, Made, MadeLayer, MakeError, Making, make, make_sky};
 pub use reading::{Line, lines};

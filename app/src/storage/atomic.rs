@@ -42,32 +42,15 @@ pub fn write_one_of_many(path: &Path, bytes: &[u8]) -> Result<(), StorageError> 
     write(path, &target_of(path), Over::Anything, |sink| sink.write_all(bytes)).map(drop)
 }
 
-/// As [`write_atomic`], with the bytes that `fill` writes as they come: a file may be larger than the memory. If `fill`
-/// fails nothing is left, and what was there before is untouched.
-///
-/// # Errors
-/// As [`write_atomic`], and those of `fill`.
-pub fn write_streamed(path: &Path, fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>) -> Result<(), StorageError> {
-    sweep_and_write(path, Over::Anything, fill).map(drop)
-}
-
 /// As [`write_atomic`], over what `over` allows. Gives the new file's stamp.
 ///
 /// # Errors
 /// As [`write_atomic`], and [`StorageError::InTheWay`].
 pub fn write_over(path: &Path, bytes: &[u8], over: Over) -> Result<Stamp, StorageError> {
-    sweep_and_write(path, over, |sink| sink.write_all(bytes))
-}
-
-fn sweep_and_write(
-    path: &Path,
-    over: Over,
-    fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>,
-) -> Result<Stamp, StorageError> {
     let target = target_of(path);
     // First, as it may make the space that is needed.
     leftover::sweep(folder_of(&target));
-    write(path, &target, over, fill)
+    write(path, &target, over, |sink| sink.write_all(bytes))
 }
 
 /// Whether [`write_atomic`] could write there: asked before work that takes long. Takes away what killed programs left in
@@ -92,43 +75,108 @@ fn write(
     over: Over,
     fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>,
 ) -> Result<Stamp, StorageError> {
-    let fail = |error: io::Error| StorageError::write(path, &error);
-    let in_the_way = |reason: &str| StorageError::InTheWay { path: path.into(), reason: reason.into() };
-    let taken = "there is a file of that name already";
-    let check = || match over {
-        Over::Nothing if fs::symlink_metadata(target).is_ok() => Err(in_the_way(taken)),
+    check_free(path, target, over)?;
+    Staged::write(path, target, over, fill)?.take_name()
+}
+
+/// Several files that take their names together, when all of them are whole on the disk: until then nothing is seen of
+/// them, and nothing is left of them if it does not come to that.
+#[derive(Debug, Default)]
+pub struct Together(Vec<Staged>);
+
+impl Together {
+    /// Writes a file that will take the name `path`, in place of what has it, with the bytes that `fill` writes as they
+    /// come: it may be larger than the memory.
+    ///
+    /// # Errors
+    /// As [`write_atomic`], and those of `fill`.
+    pub fn add(&mut self, path: &Path, fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>) -> Result<(), StorageError> {
+        let target = target_of(path);
+        if self.0.is_empty() {
+            leftover::sweep(folder_of(&target));
+        }
+        self.0.push(Staged::write(path, &target, Over::Anything, fill)?);
+        Ok(())
+    }
+
+    /// Gives all of them their names; the paths, in their order.
+    ///
+    /// # Errors
+    /// If one can't take its name: those before it have theirs then.
+    pub fn take_names(self) -> Result<Vec<PathBuf>, StorageError> {
+        let take = |staged: Staged| {
+            let path = staged.path.clone();
+            staged.take_name().map(|_| path)
+        };
+        self.0.into_iter().map(take).collect()
+    }
+}
+
+/// A file that is whole on the disk, under another name than its own.
+#[derive(Debug)]
+struct Staged {
+    file: NamedTempFile,
+    path: PathBuf,
+    target: PathBuf,
+    over: Over,
+}
+
+impl Staged {
+    fn write(
+        path: &Path,
+        target: &Path,
+        over: Over,
+        fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>,
+    ) -> Result<Self, StorageError> {
+        let fail = |error: io::Error| StorageError::write(path, &error);
+        let file = temporary_beside(path, target)?;
+        let mut sink = Sink::new(file.as_file());
+        fill(&mut sink).and_then(|()| sink.flush()).map_err(fail)?;
+        drop(sink);
+        if let Ok(before) = fs::metadata(target) {
+            file.as_file().set_permissions(before.permissions()).map_err(fail)?;
+        }
+        file.as_file().sync_all().map_err(fail)?;
+        Ok(Self { file, path: path.into(), target: target.into(), over })
+    }
+
+    fn take_name(self) -> Result<Stamp, StorageError> {
+        let Self { file, path, target, over } = self;
+        let fail = |error: io::Error| StorageError::write(&path, &error);
+        // Taken before the name: what another program puts there later has another.
+        let stamp = file.as_file().metadata().map(|about| Stamp::from_metadata(&about)).map_err(fail)?;
+        // Writing took its time, in which another program may have saved.
+        check_free(&path, &target, over)?;
+        let persisted = match over {
+            Over::Nothing => file.persist_noclobber(&target),
+            Over::Anything | Over::Known(_) => file.persist(&target),
+        };
+        persisted.map_err(|error| match error.error.kind() {
+            io::ErrorKind::AlreadyExists => taken(&path),
+            _ => fail(error.error),
+        })?;
+        // The name itself reaches the disk with its folder. A system that can't do that has written the file all the same.
+        if let Ok(folder) = File::open(folder_of(&target)) {
+            let _ = folder.sync_all();
+        }
+        Ok(stamp)
+    }
+}
+
+fn taken(path: &Path) -> StorageError {
+    StorageError::InTheWay { path: path.into(), reason: "there is a file of that name already".into() }
+}
+
+/// That what lies at `target` may be replaced.
+fn check_free(path: &Path, target: &Path, over: Over) -> Result<(), StorageError> {
+    match over {
+        Over::Nothing if fs::symlink_metadata(target).is_ok() => Err(taken(path)),
         // One that is gone can be written anew: nothing is lost.
         Over::Known(known) if Stamp::of(target).is_some_and(|stamp| stamp != known) => {
-            Err(in_the_way("another program changed it"))
+            Err(StorageError::InTheWay { path: path.into(), reason: "another program changed it".into() })
         }
         _ => Ok(()),
-    };
-    check()?;
-    let file = temporary_beside(path, target)?;
-    let mut sink = Sink::new(file.as_file());
-    fill(&mut sink).and_then(|()| sink.flush()).map_err(fail)?;
-    drop(sink);
-    if let Ok(before) = fs::metadata(target) {
-        file.as_file().set_permissions(before.permissions()).map_err(fail)?;
     }
-    file.as_file().sync_all().map_err(fail)?;
-    // Taken before the name: what another program puts there later has another.
-    let stamp = file.as_file().metadata().map(|about| Stamp::from_metadata(&about)).map_err(fail)?;
-    // Writing took its time, in which another program may have saved.
-    check()?;
-    let persisted = match over {
-        Over::Nothing => file.persist_noclobber(target),
-        Over::Anything | Over::Known(_) => file.persist(target),
-    };
-    persisted.map_err(|error| match error.error.kind() {
-        io::ErrorKind::AlreadyExists => in_the_way(taken),
-        _ => fail(error.error),
-    })?;
-    // The name itself reaches the disk with its folder. A system that can't do that has written the file all the same.
-    if let Ok(folder) = File::open(folder_of(target)) {
-        let _ = folder.sync_all();
-    }
-    Ok(stamp)
 }
 
 fn temporary_beside(path: &Path, target: &Path) -> Result<NamedTempFile, StorageError> {
@@ -193,9 +241,28 @@ mod tests {
         assert!(write_atomic(folder.path(), b"x").is_err(), "a folder is no file");
         assert!(write_atomic(&folder.path().join("none/b.txt"), b"x").is_err());
         let stopped = |sink: &mut Sink<'_>| sink.write_all(&[0; 100_000]).and(Err(io::ErrorKind::Interrupted.into()));
-        assert!(write_streamed(&path, stopped).is_err());
+        assert!(Together::default().add(&path, stopped).is_err());
         assert_eq!(read(&path, 3).expect("readable"), b"two", "as before");
         assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 1, "nothing is left behind");
+    }
+
+    #[test]
+    fn several_files_appear_together_or_not_at_all() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let [a, b] = ["a.txt", "b.txt"].map(|name| folder.path().join(name));
+        write_atomic(&b, b"old").expect("writable");
+        let mut together = Together::default();
+        together.add(&a, |sink| sink.write_all(b"one")).expect("writable");
+        assert!(!a.exists(), "not before all are whole");
+        assert!(together.add(&b, |_| Err(io::ErrorKind::Interrupted.into())).is_err());
+        drop(together);
+        assert_eq!(read(&b, 9).expect("readable"), b"old", "as before");
+        assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 1, "nothing is left behind");
+        let mut together = Together::default();
+        together.add(&a, |sink| sink.write_all(b"one")).expect("writable");
+        together.add(&b, |sink| sink.write_all(b"two")).expect("writable");
+        assert_eq!(together.take_names().expect("writable"), [a.clone(), b.clone()]);
+        assert_eq!([a, b].map(|path| read(&path, 9).expect("readable")), [b"one", b"two"]);
     }
 
     #[cfg(unix)]

@@ -20,7 +20,7 @@ mod settings;
 mod stamp;
 mod watcher;
 
-pub use atomic::{Over, check_writable, write_atomic, write_one_of_many, write_over, write_streamed};
+pub use atomic::{Over, Together, check_writable, write_atomic, write_one_of_many, write_over};
 pub use error::StorageError;
 pub use file_id::FileId;
 pub use folder::Folder;

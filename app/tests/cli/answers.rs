@@ -95,7 +95,12 @@ fn export_writes_each_kept_sprite() {
         for ending in ["json", "csv"] {
             let words = format!("export good.cloudscene -o out.{ending}{words}");
             let ran = place.run(&words);
-            assert_eq!((ran.code, ran.stdout.as_str(), ran.stderr.as_str()), (0, "", ""), "{words}");
+            assert_eq!((ran.code, ran.stdout.as_str()), (0, ""), "{words}");
+            assert!(
+                ran.stderr.starts_with("not carried: ") && ran.stderr.contains("cameras"),
+                "{words}: {}",
+                ran.stderr
+            );
         }
         let json = as_json(&String::from_utf8_lossy(&place.read("out.json")));
         let of = |cloud: &Value| cloud["sprites"].as_array().map_or(0, Vec::len);
@@ -109,6 +114,31 @@ fn export_writes_each_kept_sprite() {
         place.read("out.csv")
     };
     assert_ne!(shaded_at("12:00"), shaded_at("18:30"));
+}
+
+#[test]
+fn an_export_says_in_json_what_it_wrote_and_what_not() {
+    let place = Place::new();
+    let ran = place.run("export good.cloudscene -o out.csv --json --cloud west");
+    assert_eq!((ran.code, ran.stderr.as_str()), (0, ""));
+    let answer = as_json(&ran.stdout);
+    assert_eq!((&answer["format"], &answer["files"]), (&json!("csv"), &json!(["out.csv"])));
+    assert_eq!(answer["notes"][0]["kind"], "left_out");
+    let only = String::from_utf8(place.read("out.csv")).expect("text");
+    assert!(only.lines().skip(1).all(|line| line.split(',').nth(1) == Some("west")) && only.lines().count() > 1);
+}
+
+#[test]
+fn formats_are_listed_with_what_they_carry() {
+    let place = Place::new();
+    let listed = as_json(&place.run("formats --json").stdout);
+    let text = place.run("formats").stdout;
+    for row in listed.as_array().expect("a list") {
+        let name = row["name"].as_str().expect("a name");
+        assert!(text.lines().any(|line| line.starts_with(name)), "{name} is not in: {text}");
+        assert!(row["written"] == true || row["read"] == true, "{name}");
+        assert!(!row["carries"].as_array().expect("a list").is_empty(), "{name}");
+    }
 }
 
 #[test]

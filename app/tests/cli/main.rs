@@ -9,6 +9,7 @@ mod answers;
 mod arguments;
 mod bad_scenes;
 mod chart;
+mod exchange;
 mod fly;
 mod gpu;
 mod inputs;

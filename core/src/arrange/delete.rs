@@ -90,7 +90,7 @@ mod tests {
         scene.cameras.push(camera);
         let (first, second) = (scene.models[0].id, scene.models[1].id);
         let (group, boxes) = (scene.models[1].groups[0].id, scene.models[1].boxes.clone());
-        let edit = |index| SpriteEdit { index, moved: None, dropped: false, group: Some(group) };
+        let edit = |index| SpriteEdit { group: Some(group), ..SpriteEdit::new(index) };
         scene.models[1].boxes[0].sprite_edits = vec![edit(5), edit(2)];
         let doomed = [
             Thing::Model(first),
@@ -107,7 +107,7 @@ mod tests {
         assert_eq!(after.cameras.as_slice(), &scene.cameras.as_slice()[1..]);
         let model = &after.models[0];
         assert_eq!((model.groups.len(), model.boxes.len()), (0, 2));
-        let dropped = SpriteEdit { index: 5, moved: None, dropped: true, group: None };
+        let dropped = SpriteEdit { dropped: true, ..SpriteEdit::new(5) };
         assert_eq!(model.boxes[0].sprite_edits, [dropped]);
         assert_eq!((model.boxes[1].group, model.boxes[1].sprite_edits.len()), (None, 0));
     }
@@ -158,7 +158,7 @@ mod tests {
     fn a_cloud_leaves_its_model_and_what_is_gone_is_passed_over() {
         let mut scene = two_clouds();
         // In no order: still no change.
-        let edit = |index| SpriteEdit { index, moved: None, dropped: true, group: None };
+        let edit = |index| SpriteEdit { dropped: true, ..SpriteEdit::new(index) };
         scene.models[1].boxes[0].sprite_edits = vec![edit(5), edit(2)];
         let after = applied(&scene, &things(&scene, &[Thing::Cloud(scene.clouds[0].id)]));
         assert_eq!((after.models, after.clouds.len()), (scene.models.clone(), 1));

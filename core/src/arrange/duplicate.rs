@@ -166,10 +166,10 @@ mod tests {
     fn own_copies_look_the_same_and_go_their_own_way() {
         let mut scene = two_clouds();
         scene.models[0].boxes[1].sprite_edits = vec![SpriteEdit {
-            index: 3,
             moved: Some(DVec3::ONE),
-            dropped: false,
+            tile: Some(7),
             group: Some(scene.models[0].groups[0].id),
+            ..SpriteEdit::new(3)
         }];
         let ids: Vec<_> = scene.clouds.iter().map(|cloud| cloud.id).collect();
         let arrangement = clouds(&scene, &ids, DVec3::ZERO, Copy::Own);

@@ -134,7 +134,7 @@ mod tests {
             model.cull_radius = CullRadius::Metres(0.0);
             let group = model.groups[0].id;
             model.boxes[0].sprite_edits =
-                vec![SpriteEdit { index: 2, moved: Some(DVec3::splat(0.7)), dropped: false, group: Some(group) }];
+                vec![SpriteEdit { moved: Some(DVec3::splat(0.7)), group: Some(group), ..SpriteEdit::new(2) }];
         }
         scene
     }

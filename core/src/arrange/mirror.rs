@@ -120,6 +120,7 @@ impl Mirror {
         new.light = self.light(old.light);
         for edit in &mut new.sprite_edits {
             edit.moved = edit.moved.map(|place| self.vector(place));
+            edit.rotation_deg = edit.rotation_deg.map(|deg| 0.0 - deg);
         }
         new
     }
@@ -141,7 +142,11 @@ mod tests {
             let places = [DVec3::new(0.5, -0.25, 0.1), DVec3::new(-0.4, 0.3, 0.7)];
             cloud_box.sprite_edits = (0..)
                 .zip(places)
-                .map(|(index, place)| SpriteEdit { index, moved: Some(place), dropped: false, group: None })
+                .map(|(index, place)| SpriteEdit {
+                    moved: Some(place),
+                    rotation_deg: Some(12.0),
+                    ..SpriteEdit::new(index)
+                })
                 .collect();
         }
         scene

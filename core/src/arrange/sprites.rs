@@ -48,10 +48,13 @@ pub(crate) fn drop_from(model: &mut CloudModel, sprites: &[SpriteId]) {
     }
 }
 
-/// Gives sprites back the places that chance gave them, dropped ones included. They stay in the groups they are in.
+/// Gives sprites back the places and looks that chance gave them, dropped ones included. They stay in the groups they are
+/// in.
 pub fn reset(scene: &Scene, model: ModelId, sprites: &[SpriteId]) -> Arrangement {
     let sprites: Vec<_> = sprites.iter().map(|&sprite| (sprite, ())).collect();
-    changed(scene, model, &sprites, |_, edit, ()| (edit.moved, edit.dropped) = (None, false))
+    changed(scene, model, &sprites, |_, edit, ()| {
+        *edit = SpriteEdit { group: edit.group, ..SpriteEdit::new(edit.index) };
+    })
 }
 
 /// Where a point of the model's space lies in the box, −½ to ½ along each axis; 0 along an axis without extent, so
@@ -100,7 +103,7 @@ pub(super) struct SpriteEdits(BTreeMap<u32, SpriteEdit>);
 impl SpriteEdits {
     /// That sprite's; empty if it has none yet.
     pub(super) fn of(&mut self, index: u32) -> &mut SpriteEdit {
-        self.0.entry(index).or_insert(SpriteEdit { index, moved: None, dropped: false, group: None })
+        self.0.entry(index).or_insert(SpriteEdit::new(index))
     }
 }
 
@@ -109,7 +112,7 @@ pub(super) fn change_edits(cloud_box: &mut CloudBox, change: impl FnOnce(&mut Sp
     let edits = std::mem::take(&mut cloud_box.sprite_edits);
     let mut edits = SpriteEdits(edits.into_iter().map(|edit| (edit.index, edit)).collect());
     change(&mut edits);
-    let says_something = |edit: &SpriteEdit| edit.moved.is_some() || edit.dropped || edit.group.is_some();
+    let says_something = |edit: &SpriteEdit| *edit != SpriteEdit::new(edit.index);
     cloud_box.sprite_edits = edits.0.into_values().filter(says_something).collect();
 }
 

@@ -1,9 +1,16 @@
 //! Bytes to values and back, one file a format. No files here: `app` reads and writes them.
 
+pub mod cld;
+pub mod cry_cloud;
+pub mod flightgear;
 pub mod metar;
+mod misread;
 pub mod model_glb;
 pub mod pretty_json;
 pub mod scene_file;
-pub mod scene_glb;
 pub mod sprites_csv;
 pub mod sprites_json;
+pub mod wpr;
+pub mod xml;
+
+pub use misread::Misread;

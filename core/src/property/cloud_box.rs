@@ -17,6 +17,7 @@ const SPRITE_COUNT: Number =
     Number::new("Sprites", &(0.0..=1e6), "", "How many sprites are tried in the box, before culling.");
 const ROTATION_DEG: Number =
     Number::new("Rotation", &(-360.0..=360.0), "°", "Range of the sprites' own turn, counter-clockwise as seen.");
+const TILE: Number = Number::new("Tile", &(0.0..=15.0), "", "Which tile of the sheet it shows, row by row.");
 const LUMPS: Number = Number::new(
     "Lumps",
     &(1.0..=16.0),
@@ -65,6 +66,10 @@ impl Described for CloudBox {
 impl Described for SpriteEdit {
     const TABLES: &'static [&'static [Row<Self>]] = &[&[
         numbers!(moved?: vector(SPRITE_PLACE)),
+        numbers!(width?: number(SPRITE_SIZE.called("Width"))),
+        numbers!(height?: number(SPRITE_SIZE.called("Height"))),
+        numbers!(rotation_deg?: angle(ROTATION_DEG)),
+        numbers!(tile?: integer(TILE)),
         setting!(dropped: flag("Taken out", "Whether the sprite was taken out by hand.")),
         setting!(group: thing("Group", "The group that the sprite was put into by hand.", Kind::Group).or("its box's")),
     ]];

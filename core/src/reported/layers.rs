@@ -38,7 +38,7 @@ pub enum Genus {
 
 impl Genus {
     /// How thick it is taken to be, metres.
-    fn thickness_m(self, base_m: f64) -> f64 {
+    pub(super) fn thickness_m(self, base_m: f64) -> f64 {
         match self {
             Self::Fog => 100.0,
             Self::Stratus => 300.0,
@@ -124,7 +124,7 @@ fn plan(report: &Report, layer: &crate::formats::metar::Layer) -> Option<Planned
     })
 }
 
-fn genus(report: &Report, cover: Cover, kind: LayerKind, base_m: f64) -> Genus {
+pub(super) fn genus(report: &Report, cover: Cover, kind: LayerKind, base_m: f64) -> Genus {
     let any = |phenomena: &[Phenomenon]| {
         let steady = report.weather.iter().filter(|weather| !weather.is(Descriptor::Showers));
         steady.into_iter().any(|weather| phenomena.iter().any(|each| weather.has(*each)))

@@ -8,6 +8,7 @@
 mod air;
 mod expected;
 mod layers;
+mod preset;
 mod regions;
 mod sky;
 mod stations;
@@ -17,6 +18,7 @@ mod timeline;
 pub use air::{Air, EXTINCTION_AT_CONTRAST};
 pub use expected::expected;
 pub use layers::{Genus, PlannedLayer, layers};
+pub use preset::{FREEZING_K, KNOT_MPS, LAPSE_K_PER_M};
 pub use regions::roughly;
 pub use sky::Sky;
 pub use stations::{Place, Told, Unordered, skies};

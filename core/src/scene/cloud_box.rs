@@ -65,6 +65,18 @@ pub struct SpriteEdit {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Option<[f64; 3]>")]
     pub moved: Option<DVec3>,
+    /// Its width, set by hand, metres.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub width: Option<f64>,
+    /// Its height, set by hand, metres.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub height: Option<f64>,
+    /// Its own turn, set by hand, counter-clockwise as seen.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub rotation_deg: Option<f64>,
+    /// The tile that it shows, set by hand: 0 to 15, row by row.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tile: Option<u32>,
     /// Taken out by hand.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub dropped: bool,
@@ -83,6 +95,22 @@ fn one_lump() -> [u32; 3] {
 
 fn is_one_lump(lumps: &[u32; 3]) -> bool {
     *lumps == one_lump()
+}
+
+impl SpriteEdit {
+    /// Of that sprite, with nothing changed.
+    pub fn new(index: u32) -> Self {
+        Self {
+            index,
+            moved: None,
+            width: None,
+            height: None,
+            rotation_deg: None,
+            tile: None,
+            dropped: false,
+            group: None,
+        }
+    }
 }
 
 impl CloudBox {

@@ -67,10 +67,13 @@ fn candidate(cloud_box: &CloudBox, seed: u64, index: u32, weights: &[u32; 16], e
         box_id: cloud_box.id,
         index,
         position: cloud_box.center + cloud_box.orientation * (cloud_box.size * in_box),
-        width: within(cloud_box.width, size),
-        height: within(cloud_box.height, size),
-        rotation: within(cloud_box.rotation_deg, turn).to_radians(),
-        tile: choose_tile(weights, tile),
+        width: edit.and_then(|e| e.width).unwrap_or_else(|| within(cloud_box.width, size)),
+        height: edit.and_then(|e| e.height).unwrap_or_else(|| within(cloud_box.height, size)),
+        rotation: edit
+            .and_then(|e| e.rotation_deg)
+            .unwrap_or_else(|| within(cloud_box.rotation_deg, turn))
+            .to_radians(),
+        tile: edit.and_then(|e| e.tile).map_or_else(|| choose_tile(weights, tile), |tile| tile.min(15) as u8),
         moved: moved.is_some(),
         group: edit.and_then(|e| e.group).or(cloud_box.group),
         lump: lump(in_box, cloud_box.lumps),

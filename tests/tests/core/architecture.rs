@@ -92,7 +92,7 @@ const APP: [&[&str]; 10] = [
 
 /// The rooms of core from above, in the same way.
 const CORE: [&[&str]; 17] = [
-    &["thin"],
+    &["exchange", "thin"],
     &["draw", "method"],
     &["measure", "variants"],
     &["raster"],

@@ -89,9 +89,17 @@ fn a_rotated_box_is_filled_truly() {
 fn hand_moved_sprites_stay_and_hand_dropped_ones_go() {
     let mut scene = heap(60);
     let edits = vec![
-        SpriteEdit { index: 3, moved: Some(DVec3::new(0.1, 0.2, 0.3)), dropped: false, group: None },
-        SpriteEdit { index: 4, moved: Some(DVec3::new(0.1, 0.2, 0.3)), dropped: false, group: None },
-        SpriteEdit { index: 5, moved: None, dropped: true, group: None },
+        SpriteEdit { moved: Some(DVec3::new(0.1, 0.2, 0.3)), ..SpriteEdit::new(3) },
+        SpriteEdit { moved: Some(DVec3::new(0.1, 0.2, 0.3)), ..SpriteEdit::new(4) },
+        SpriteEdit { dropped: true, ..SpriteEdit::new(5) },
+        SpriteEdit {
+            moved: Some(DVec3::ZERO),
+            width: Some(77.0),
+            height: Some(55.0),
+            rotation_deg: Some(-30.0),
+            tile: Some(3),
+            ..SpriteEdit::new(6)
+        },
     ];
     scene.models[0].boxes[0].sprite_edits = edits;
     let (id, center) = (scene.models[0].boxes[0].id, scene.models[0].boxes[0].center);
@@ -103,6 +111,9 @@ fn hand_moved_sprites_stay_and_hand_dropped_ones_go() {
             assert!(moved.position.distance(center + DVec3::new(20.0, 40.0, 60.0)) < 1e-9);
         }
         assert!(of_box(5).is_none());
+        let made = of_box(6).expect("kept");
+        assert_eq!((made.width, made.height, made.tile), (77.0, 55.0, 3));
+        assert!((made.rotation.to_degrees() + 30.0).abs() < 1e-9);
     }
 }
 

@@ -132,7 +132,7 @@ fn one_number(scene: &Scene, which: u32, bad: bool) -> Edit {
         0 => first_box.map(|each| of_box(CloudBox { size: DVec3::splat(number), ..each })),
         1 => first_box.map(|each| {
             let moved = Some(DVec3::splat(number));
-            of_box(CloudBox { sprite_edits: vec![SpriteEdit { index: 0, moved, dropped: false, group: None }], ..each })
+            of_box(CloudBox { sprite_edits: vec![SpriteEdit { moved, ..SpriteEdit::new(0) }], ..each })
         }),
         2 => model.groups.first().cloned().map(|group| {
             let light = GroupLight { c_max: number, ..group.light };

@@ -3,7 +3,7 @@
 use super::container::{Buffer, Use};
 use super::sampled::sampled;
 use super::sprites::{CloudNode, Written, share_formed};
-use super::{Nodes, lens, placed, push, turn_of};
+use super::{Leaving, Nodes, lens, placed, push, turn_of};
 use crate::derived::Derived;
 use crate::flight::PathCurve;
 use crate::scene::Scene;
@@ -44,9 +44,10 @@ pub(super) fn write(
     root: &mut Value,
     buffer: &mut Buffer,
     nodes: &mut Nodes,
-    (scene, derived): (&Scene, &Derived),
+    leaving: &Leaving<'_>,
     (cameras, clouds): (&[usize], &Written),
 ) -> Moves {
+    let Leaving { scene, derived, now, .. } = *leaving;
     let mut animation = Animation { buffer, channels: Vec::new(), samplers: Vec::new() };
     for path in &scene.paths {
         let curve = PathCurve::new(path);
@@ -78,7 +79,7 @@ pub(super) fn write(
                 animation.fly(*node, &times, at);
             }
         }
-        for (cloud, place) in derived.clouds().iter().zip(&clouds.nodes) {
+        for (cloud, place) in now.clouds.iter().map(|cloud| cloud.placed).zip(&clouds.nodes) {
             animation.drift(place.node, cloud, derived, &times);
             moves.forms |= animation.form(*place, cloud, derived, &times);
             moves.turns += usize::from(does_more(cloud, derived, &times));

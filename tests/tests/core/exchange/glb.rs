@@ -2,16 +2,15 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::exchange::Content;
+use cloudwright_core::exchange::glb::{TOLERANCE_DEG, TOLERANCE_M};
 use cloudwright_core::flight::PathCurve;
-use cloudwright_core::formats::{scene_file, scene_glb};
+use cloudwright_core::formats::{Misread, scene_file};
 use cloudwright_core::posed_sprite::Still;
 use cloudwright_core::scene::Scene;
-use cloudwright_core::sprites::Atlas;
-use cloudwright_core::watch::Watch;
-use cloudwright_core::weather::{Light, Moment, WeatherRules};
+use cloudwright_core::weather::{Light, WeatherRules};
 use cloudwright_tests::small_scenes::{everything, heap};
 use glam::{DVec3, Quat, Vec3};
-use scene_glb::{Options, TOLERANCE_DEG, TOLERANCE_M};
 use serde_json::Value;
 
 fn shipped_scenes() -> Vec<(String, Scene)> {
@@ -101,9 +100,14 @@ impl File {
 }
 
 fn bytes(scene: &Scene, plain: bool) -> Vec<u8> {
-    let options = Options { moment: Moment::default(), camera: None, plain };
-    let derived = Derived::new(scene);
-    scene_glb::write(scene, &derived, Atlas::built_in(), &options, &Watch::default()).expect("nobody cancels").bytes
+    super::left(scene, "a.glb", &[("plain", if plain { "yes" } else { "no" })])
+}
+
+fn back(bytes: &[u8]) -> Result<Scene, Misread> {
+    match super::arrived(bytes, "a.glb", &[])?.content {
+        Content::Scene(scene) => Ok(*scene),
+        other => panic!("{other:?}"),
+    }
 }
 
 #[test]
@@ -111,7 +115,7 @@ fn every_sprite_and_camera_of_what_ships_is_there_and_the_scene_comes_back() {
     for (name, scene) in shipped_scenes() {
         let sprites: usize = Derived::new(&scene).clouds().iter().map(|cloud| cloud.sprites.len()).sum();
         let file = bytes(&scene, false);
-        let back = scene_glb::read(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
+        let back = back(&file).unwrap_or_else(|error| panic!("{name}: {error}"));
         let text = |scene: &Scene| scene_file::write(scene).expect("a scene");
         assert_eq!(text(&back), text(&scene), "{name}");
         let file = File::open(&file);
@@ -234,11 +238,11 @@ fn around<const N: usize>(keys: &[(f32, [f32; N])], time: f32) -> ([f32; N], [f3
 fn what_is_no_file_of_ours_says_so() {
     let good = bytes(&heap(3), false);
     for cut in [0, 3, 19, 40, 600] {
-        let error = scene_glb::read(&good[..cut]).expect_err("cut off").to_string();
-        assert!(error.contains("no binary glTF"), "{error}");
+        let error = back(&good[..cut]).expect_err("cut off").to_string();
+        assert!(error.contains("cut off"), "{error}");
     }
     let plane = std::fs::read(cloudwright_tests::root().join("assets/models/aircraft.glb")).expect("it ships");
-    assert!(matches!(scene_glb::read(&plane), Err(scene_glb::ReadError::NoScene)));
+    assert!(back(&plane).expect_err("no scene of ours").to_string().contains("only what was exported from here"));
 }
 
 #[test]

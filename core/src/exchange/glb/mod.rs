@@ -11,7 +11,7 @@
 //! alpha alone, so the sheet's clear texels have the mean colour of their tile, and no rim darkens where it is filtered.
 //! Axes and metres are ours.
 //!
-//! The scene file's text stands in the scene's `extras`, from which [`read`] gives the scene back, bit for bit. What an
+//! The scene file's text stands in the scene's `extras`, from which it comes back, bit for bit. What an
 //! editor of glTF changed is not read.
 
 mod container;
@@ -20,13 +20,10 @@ mod sampled;
 mod sheet;
 mod sprites;
 
-use super::scene_file;
-use crate::derived::Derived;
-use crate::problem::Problem;
+use super::{Arrived, Arriving, Content, ExportError, Files, Leaving, Note, OptionKind, OptionRow};
+use crate::formats::{Misread, scene_file};
 use crate::scene::{Camera, Scene};
-use crate::sprites::Atlas;
-use crate::watch::Watch;
-use crate::weather::{Light, Moment, SceneNow, WeatherRules};
+use crate::weather::Light;
 use container::Buffer;
 use glam::{DQuat, DVec3};
 use serde_json::{Value, json};
@@ -37,43 +34,14 @@ pub use motion::{TOLERANCE_DEG, TOLERANCE_M, TOLERANCE_OPACITY};
 const EXTRAS: &str = "cloudwright_scene";
 /// The largest file that is read, bytes.
 pub const MAX_BYTES: usize = 1 << 30;
+const INSTANCING: &str = "EXT_mesh_gpu_instancing";
 
-/// What is to be made of a scene.
-#[derive(Debug, Clone, Copy)]
-pub struct Options<'a> {
-    /// Where clouds are, and in which light.
-    pub moment: Moment,
-    /// Whom the sprites face; the scene's first camera, or one at the origin, if none.
-    pub camera: Option<&'a Camera>,
-    /// Whether meshes stand in for instances.
-    pub plain: bool,
-}
-
-/// A file, and what of the scene it could not carry.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Exported {
-    /// The file's bytes.
-    pub bytes: Vec<u8>,
-    /// In words, a line each.
-    pub lost: Vec<String>,
-}
-
-/// Why a file gives no scene.
-#[derive(Debug, thiserror::Error)]
-pub enum ReadError {
-    /// More than [`MAX_BYTES`].
-    #[error("it is larger than {} MiB", MAX_BYTES >> 20)]
-    TooLarge,
-    /// Another kind of file, or broken.
-    #[error("it is no binary glTF: {0}")]
-    NotGlb(String),
-    /// Made by another program.
-    #[error("it holds no scene of Cloudwright's; only files that were exported from here give their scenes back")]
-    NoScene,
-    /// The scene in it is not one.
-    #[error("the scene in it is broken: {}", .0.first().map_or(String::new(), ToString::to_string))]
-    Broken(Vec<Problem>),
-}
+const PLAIN: &str = "plain";
+pub(super) const WRITE_OPTIONS: &[OptionRow] = &[OptionRow {
+    name: PLAIN,
+    kind: OptionKind::Flag(false),
+    doc: "Whether each cloud is a mesh with the colours of all corners, for readers without instances:",
+}];
 
 /// The nodes of the file while they are made.
 #[derive(Debug, Default)]
@@ -96,47 +64,45 @@ impl Nodes {
     }
 }
 
-/// `scene`, whose sprites are in `derived` and whose tiles on `atlas`, as a file. None if `watch` is cancelled.
-pub fn write(
-    scene: &Scene,
-    derived: &Derived,
-    atlas: &Atlas,
-    options: &Options<'_>,
-    watch: &Watch,
-) -> Option<Exported> {
-    let now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), options.moment, WeatherRules::default());
+pub(super) fn write(leaving: &Leaving<'_>, files: &mut dyn Files) -> Result<Vec<Note>, ExportError> {
+    let Leaving { scene, now, .. } = *leaving;
+    let plain = leaving.options.flag(PLAIN);
+    let still = leaving.still().ok_or(ExportError::Nothing("cameras"))?;
     let mut buffer = Buffer::default();
     let mut nodes = Nodes::default();
-    let mut root = json!({
-        "asset": { "version": "2.0", "generator": "Cloudwright" },
-        "scene": 0,
-    });
-    let mut used = vec!["KHR_materials_unlit", "KHR_lights_punctual"];
-    sheet::write(&mut root, &mut buffer, atlas);
-    let clouds = sprites::write(&mut root, &mut buffer, &mut nodes, (scene, &now), options, watch)?;
+    let mut root = json!({ "asset": { "version": "2.0", "generator": "Cloudwright" }, "scene": 0 });
+    sheet::write(&mut root, &mut buffer, leaving.atlas);
+    let clouds = sprites::write(&mut root, &mut buffer, &mut nodes, leaving, (still, plain));
+    let clouds = clouds.ok_or(ExportError::Cancelled)?;
     let cameras = cameras(&mut root, &mut nodes, scene);
     sun(&mut root, &mut nodes, &now.light, now.exposure);
-    let moves = motion::write(&mut root, &mut buffer, &mut nodes, (scene, derived), (&cameras, &clouds));
-    if !options.plain && !clouds.nodes.is_empty() {
-        used.push("EXT_mesh_gpu_instancing");
-        root["extensionsRequired"] = json!(["EXT_mesh_gpu_instancing"]);
+    let moves = motion::write(&mut root, &mut buffer, &mut nodes, leaving, (&cameras, &clouds));
+    let mut used = vec!["KHR_materials_unlit"];
+    if root["extensions"].is_object() {
+        used.push("KHR_lights_punctual");
+    }
+    if clouds.instanced {
+        used.push(INSTANCING);
+        root["extensionsRequired"] = json!([INSTANCING]);
     }
     if moves.forms {
         used.push("KHR_animation_pointer");
     }
     root["extensionsUsed"] = json!(used);
     root["nodes"] = Value::Array(nodes.all);
-    let text = scene_file::write(scene).ok()?;
+    let text = scene_file::write(scene).map_err(std::io::Error::from)?;
     root["scenes"] = json!([{ "name": scene.name, "nodes": nodes.top, "extras": { EXTRAS: text } }]);
-    let lost = lost(scene, options, &clouds, &moves);
-    Some(Exported { bytes: buffer.into_glb(root), lost })
+    let bytes = buffer.into_glb(root);
+    files.add(leaving.name, &mut |out| out.write_all(&bytes))?;
+    Ok(notes(plain, &clouds, &moves))
 }
 
-/// The scene that was written into such a file.
-///
-/// # Errors
-/// If the file is too large, no binary glTF, of another program, or broken.
-pub fn read(bytes: &[u8]) -> Result<Scene, ReadError> {
+/// Whether bytes begin as binary glTF does.
+pub(super) fn looks_like(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"glTF")
+}
+
+pub(super) fn read(arriving: &Arriving<'_>) -> Result<Arrived, Misread> {
     #[derive(serde::Deserialize)]
     struct Root {
         #[serde(default)]
@@ -147,19 +113,24 @@ pub fn read(bytes: &[u8]) -> Result<Scene, ReadError> {
         #[serde(default)]
         extras: Option<Value>,
     }
-    if bytes.len() > MAX_BYTES {
-        return Err(ReadError::TooLarge);
-    }
-    let broken = |what: &str| ReadError::NotGlb(what.into());
-    let head = bytes.first_chunk::<20>().ok_or_else(|| broken("its head is cut off"))?;
+    let bytes = arriving.bytes;
+    let head = bytes.first_chunk::<20>().ok_or_else(|| Misread::new("its head", "it is cut off"))?;
     let number = |at: usize| u32::from_le_bytes([head[at], head[at + 1], head[at + 2], head[at + 3]]);
-    if !head.starts_with(b"glTF") || number(4) != 2 || &head[16..20] != b"JSON" {
-        return Err(broken("it does not begin as one of version 2"));
+    if !looks_like(head) || number(4) != 2 || &head[16..20] != b"JSON" {
+        return Err(Misread::new("its head", "it is no binary glTF of version 2"));
     }
-    let text = bytes[20..].get(..number(12) as usize).ok_or_else(|| broken("its text is cut off"))?;
-    let root: Root = serde_json::from_slice(text).map_err(|error| broken(&error.to_string()))?;
+    let text = bytes[20..].get(..number(12) as usize).ok_or_else(|| Misread::new("its text", "it is cut off"))?;
+    let root: Root = serde_json::from_slice(text).map_err(|error| Misread::new("its text", error.to_string()))?;
     let held = root.scenes.iter().find_map(|scene| scene.extras.as_ref()?.get(EXTRAS)?.as_str());
-    scene_file::read(held.ok_or(ReadError::NoScene)?.as_bytes()).map_err(ReadError::Broken)
+    let held = held.ok_or_else(|| {
+        Misread::new("its extras", "there is no scene; only what was exported from here gives its scene back")
+    })?;
+    let scene = scene_file::read(held.as_bytes()).map_err(|problems| match problems.first() {
+        Some(problem) => Misread::new(format!("the scene in it, {}", problem.place), &problem.message),
+        None => Misread::new("the scene in it", "it is broken"),
+    })?;
+    let notes = scene.atlas.iter().map(|name| Note::left_out(format!("the sheet “{name}”"), "put it beside the scene"));
+    Ok(Arrived { notes: notes.collect(), content: Content::Scene(Box::new(scene)) })
 }
 
 /// The scene's own cameras; their nodes.
@@ -223,26 +194,22 @@ fn sun(root: &mut Value, nodes: &mut Nodes, light: &Light, exposure: f32) {
     nodes.add_top(node);
 }
 
-/// What the file does not carry, of what the scene has.
-fn lost(scene: &Scene, options: &Options<'_>, clouds: &sprites::Written, moves: &motion::Moves) -> Vec<String> {
-    let mut lost = vec![
-        "sky, haze and exposure's tone curve: the viewer has its own".to_owned(),
-        "sprites face one camera, and keep that moment's light".to_owned(),
+/// What became of what is there in another way.
+fn notes(plain: bool, clouds: &sprites::Written, moves: &motion::Moves) -> Vec<Note> {
+    let mut notes = vec![
+        Note::changed("sprites", "they face one camera, in the light of one moment"),
+        Note::left_out("sky, haze and tone curve", "the viewer has its own"),
     ];
-    if !options.plain {
-        lost.push("corners have their sprite's mean colour, and tiles no common order (--plain has both)".into());
+    if !plain {
+        let how = "each sprite has their mean, and tiles have no common order; plain=yes keeps both";
+        notes.push(Note::changed("corners' colours", how));
     }
     if clouds.clipped > 0 {
-        lost.push(format!("{} corners are brighter than 1 and were clipped", clouds.clipped));
-    }
-    if scene.ground.is_some() {
-        lost.push("the ground".into());
-    }
-    if !scene.aircraft.is_empty() {
-        lost.push("aircraft: their models are files of their own".into());
+        notes.push(Note::changed(format!("{} corners", clouds.clipped), "brighter than 1, which is cut"));
     }
     if moves.turns > 0 {
-        lost.push(format!("how {} clouds turn, grow or stream: they drift as they were at the moment", moves.turns));
+        let what = format!("how {} clouds turn, grow or stream", moves.turns);
+        notes.push(Note::left_out(what, "they drift as they were at the moment"));
     }
-    lost
+    notes
 }

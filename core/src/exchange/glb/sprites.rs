@@ -1,15 +1,12 @@
 //! Clouds as nodes, their sprites as instances of a quad a tile, or as one mesh a cloud.
 
 use super::container::{Buffer, Use};
-use super::{Nodes, Options, push, sheet};
-use crate::camera::View;
+use super::{INSTANCING, Leaving, Nodes, push, sheet};
 use crate::color::Rgba;
 use crate::facing::Pose;
 use crate::posed_sprite::{PosedSprite, Still};
-use crate::scene::{Camera, Scene};
-use crate::watch::Watch;
-use crate::weather::{CloudNow, Formed, SceneNow};
-use glam::{DVec3, Mat3, Quat, Vec3};
+use crate::weather::{CloudNow, Formed};
+use glam::{Mat3, Quat, Vec3};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
 
@@ -18,6 +15,8 @@ use std::collections::BTreeMap;
 pub(super) struct Written {
     /// Of each cloud, in the scene's order: its node, and its material if that has a part of its own in the timeline.
     pub(super) nodes: Vec<CloudNode>,
+    /// Whether any sprite is an instance.
+    pub(super) instanced: bool,
     /// How many corners were brighter than a colour of glTF's can be.
     pub(super) clipped: usize,
 }
@@ -44,12 +43,10 @@ pub(super) fn write(
     root: &mut Value,
     buffer: &mut Buffer,
     nodes: &mut Nodes,
-    (scene, now): (&Scene, &SceneNow<'_>),
-    options: &Options<'_>,
-    watch: &Watch,
+    leaving: &Leaving<'_>,
+    (still, plain): (Still<'_>, bool),
 ) -> Option<Written> {
-    let camera = options.camera.cloned().or_else(|| scene.cameras.first().cloned());
-    let view = View::new(&camera.unwrap_or_else(|| Camera::free(DVec3::ZERO)), 1, 1);
+    let Leaving { scene, now, watch, .. } = *leaving;
     let mut meshes = Meshes { root, buffer, tiles: BTreeMap::new() };
     let mut written = Written::default();
     let mut far_to_near: Vec<(f32, usize)> = Vec::new();
@@ -59,10 +56,9 @@ pub(super) fn write(
         let material = forms.then(|| meshes.material(&cloud.placed.name, f64::from(share_formed(cloud))));
         // What its material says of all of it, its sprites don't say again.
         let whole = CloudNow { formed: Formed::WHOLE, opacity: 1.0, ..cloud.clone() };
-        let still = Still { view: &view, light: &now.light };
         let quads = quads(if forms { &whole } else { cloud }, still, now.exposure, &mut written.clipped);
         let mut node = json!({ "name": cloud.placed.name, "translation": cloud.origin().to_array() });
-        if options.plain {
+        if plain {
             if !quads.is_empty() {
                 node["mesh"] = json!(meshes.of_cloud(&cloud.placed.name, &quads, material.unwrap_or(0)));
             }
@@ -71,10 +67,11 @@ pub(super) fn write(
             let children: Vec<usize> = instances.into_iter().map(|instances| nodes.add(instances)).collect();
             if !children.is_empty() {
                 node["children"] = json!(children);
+                written.instanced = true;
             }
         }
         let node = nodes.add(node);
-        far_to_near.push((cloud.from_eye(view.eye).length(), node));
+        far_to_near.push((cloud.from_eye(still.view.eye).length(), node));
         written.nodes.push(CloudNode { node, material });
     }
     if watch.is_cancelled() {
@@ -170,7 +167,7 @@ impl Meshes<'_> {
             let colors: Vec<[f32; 4]> = quads.iter().map(|quad| mean(quad.colors)).collect();
             nodes.push(json!({
                 "mesh": self.tile(tile, material),
-                "extensions": { "EXT_mesh_gpu_instancing": { "attributes": {
+                "extensions": { INSTANCING: { "attributes": {
                     "TRANSLATION": self.buffer.floats(&centers, Use::Other, false),
                     "ROTATION": self.buffer.signed_shares(&turns, Use::Other),
                     "SCALE": self.buffer.floats(&sizes, Use::Other, false),

@@ -1,0 +1,178 @@
+//! `cloudwright import`: what another tool made, into a scene.
+
+use super::exchange::{Answer, choice_failure, set_options, tell_notes};
+use super::failure::Failure;
+use super::progress::Progress;
+use super::run::failure as plugin_failure;
+use super::weather::layer_line;
+use super::{answer, counted, info, input, say};
+use crate::reports::{MOST_TIME, MakeError, Making, make_sky};
+use crate::state::empty_sky;
+use crate::storage::FileId;
+use crate::{opening, saving, storage};
+use cloudwright_core::document::Document;
+use cloudwright_core::exchange::{Arrived, ArrivedCloud, Arriving, Content, FORMATS, Format};
+use cloudwright_core::formats::wpr::Preset;
+use cloudwright_core::reported::Sky;
+use cloudwright_core::scene::Scene;
+use cloudwright_scripts::Patience;
+use glam::DVec3;
+use std::path::PathBuf;
+use std::time::Instant;
+
+#[derive(Debug, clap::Args)]
+#[command(after_help = "Examples:
+  cloudwright import cumulus.cld -o cumulus.cloudscene
+  cloudwright import cumulus.cld sky.cloudscene -o more.cloudscene --at 2000,1200,-500
+  cloudwright import Thunderstorms.WPR -o storm.cloudscene --seed 3
+
+The file's ending chooses the format, or else --format does; `cloudwright formats` lists them, with what each carries and
+what can be set of it. What could not be carried, and what the file does not say and was taken, is said on stderr. Without
+SCENE, what comes in stands alone under an empty day's sky. A weather preset's clouds are made by the plugins that ship, as
+many as cover the sky as it says, measured from below; they take the place of those that are there.")]
+pub(super) struct Arguments {
+    /// File to import; its ending chooses the format
+    file: PathBuf,
+    /// Scene that takes it; an empty one if not given
+    scene: Option<PathBuf>,
+    /// Scene to write
+    #[arg(short, long, value_name = "SCENE")]
+    output: PathBuf,
+    /// The format, where the ending does not choose it
+    #[arg(long, value_name = "NAME")]
+    format: Option<String>,
+    /// What an option of the format is to be, as often as needed
+    #[arg(long, value_name = "NAME=VALUE")]
+    set: Vec<String>,
+    /// Where clouds are put: x east, y up, z south, metres
+    #[arg(long, value_name = "X,Y,Z", default_value = "0,1000,0", value_parser = place, allow_hyphen_values = true)]
+    at: DVec3,
+    /// Of weather: keep the clouds that are there
+    #[arg(long)]
+    keep_clouds: bool,
+    /// Of weather: another sky of the same preset
+    #[arg(long, value_name = "N", default_value_t = 1)]
+    seed: u64,
+    /// Answer with what came in, and what did not, as JSON
+    #[arg(long)]
+    json: bool,
+    /// Replace a file that is there
+    #[arg(long)]
+    force: bool,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
+    let Arguments { file, output, .. } = arguments;
+    let most = FORMATS.iter().map(Format::max_bytes).max().unwrap_or_default();
+    let bytes = storage::read(file, most)?;
+    let file_name = file.file_name().unwrap_or_default().to_string_lossy();
+    let format = Format::to_read(arguments.format.as_deref(), &file_name, &bytes)
+        .map_err(|error| choice_failure(&error, &file.display().to_string(), false))?;
+    let mut options = format.usual_for_reading();
+    set_options(&mut options, &arguments.set, format.read_options)?;
+    let scene = match &arguments.scene {
+        Some(path) => opening::open(path)?.0,
+        None => empty_sky(),
+    };
+    check_output(arguments, &scene)?;
+    let name = file.file_stem().unwrap_or_default().to_string_lossy();
+    let arriving = Arriving { bytes: &bytes, name: &name, options: &options };
+    let Arrived { content, notes } = format.read(&arriving).map_err(|misread| {
+        let what = format!("{}: {misread}", file.display());
+        Failure::argument(
+            what,
+            format!("it was read as {}, {}; --format reads it otherwise", format.name, format.title),
+        )
+    })?;
+    let mut document = Document::new(scene);
+    let said = take(arguments, &mut document, &content)?;
+    input::save_scene(document.scene(), arguments.scene.as_deref(), output, arguments.force)?;
+    if arguments.json {
+        let files = vec![output.display().to_string()];
+        return answer(&info::json_text(&Answer { format: format.name, files, notes: &notes })?);
+    }
+    said.iter().for_each(|line| say(line));
+    tell_notes(&notes);
+    Ok(())
+}
+
+/// Puts what came in into the document, and says what that was.
+fn take(arguments: &Arguments, document: &mut Document, content: &Content) -> Result<Vec<String>, Failure> {
+    match content {
+        Content::Scene(scene) if arguments.scene.is_none() => {
+            let clouds = counted(scene.clouds.len(), "cloud", "clouds");
+            *document = Document::new(Scene::clone(scene));
+            Ok(vec![format!("the whole scene, {clouds}")])
+        }
+        Content::Scene(_) => {
+            let what = format!("{}: it holds a whole scene", arguments.file.display());
+            Err(Failure::argument(what, "leave the other scene out"))
+        }
+        Content::Weather(preset) => sky(arguments, document, preset),
+        Content::Clouds(clouds) => {
+            let (edits, placed) = ArrivedCloud::place_all(clouds, document.scene(), arguments.at);
+            let done = document.edit("Import", edits);
+            done.map_err(|error| Failure::argument(error.to_string(), "nothing is written; choose another --at"))?;
+            let models = counted(clouds.len(), "model", "models");
+            Ok(vec![format!("{models}, {}", counted(placed.len(), "cloud", "clouds"))])
+        }
+    }
+}
+
+/// The sky of a weather preset, its clouds by the plugins that ship.
+fn sky(arguments: &Arguments, document: &mut Document, preset: &Preset) -> Result<Vec<String>, Failure> {
+    let sky = Sky::of_preset(preset, document.scene());
+    let Arguments { seed, keep_clouds, .. } = *arguments;
+    let making = Making { speed: 1.0, seed, keeps_clouds: keep_clouds, moves_site: false, date: None };
+    let progress = Progress::start_stoppable("making the sky");
+    let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + MOST_TIME) };
+    let made = make_sky(document, "Weather from a preset", sky, &making, &patience);
+    drop(progress);
+    let made = made.map_err(|error| match error {
+        MakeError::Plugin { plugin, error } => plugin_failure(plugin, &error),
+        broken => Failure::could_not(broken.to_string(), "report this"),
+    })?;
+    if made.layers.is_empty() {
+        return Ok(vec!["the preset has no clouds".into()]);
+    }
+    Ok(made.layers.iter().map(layer_line).collect())
+}
+
+/// Known before the work: whether the scene can be written, and is none of what is read.
+fn check_output(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
+    let Arguments { file, scene: from, output, .. } = arguments;
+    input::check_scene_name(output)?;
+    match from {
+        Some(from) => input::check_output(scene, from, output)?,
+        None => storage::check_writable(output)?,
+    }
+    if FileId::of(file).is_some_and(|file| FileId::of(output) == Some(file)) {
+        let what = format!("--output {}: that is what is imported", output.display());
+        return Err(Failure::argument(what, "choose another name; it would be lost"));
+    }
+    saving::to_copy(scene, from.as_deref(), output).map_err(input::save_failure)?;
+    Ok(())
+}
+
+/// `2000,1200,-500`.
+fn place(text: &str) -> Result<DVec3, String> {
+    let is_sound = |number: &f64| number.abs() <= 5e7;
+    let numbers: Vec<Option<f64>> = text.split(',').map(|part| part.trim().parse().ok().filter(is_sound)).collect();
+    match numbers[..] {
+        [Some(x), Some(y), Some(z)] => Ok(DVec3::new(x, y, z)),
+        _ => Err("write three numbers of metres, such as 2000,1200,-500".into()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn places() {
+        assert_eq!(place("1, 2.5,-3"), Ok(DVec3::new(1.0, 2.5, -3.0)));
+        for bad in ["1,2", "1,2,3,4", "1,2,NaN", "1,2,1e9", "1,b,2", "a,1,2,3", ""] {
+            assert!(place(bad).is_err(), "{bad}");
+        }
+    }
+}
