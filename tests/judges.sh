@@ -18,7 +18,7 @@ counted=()
 for scene in assets/scenes/*.cloudscene; do
   name=$(basename "$scene" .cloudscene)
   info=$("$program" info --json "$scene")
-  counts=$(jq -r '"\(.sprites):\((.cameras | length) + (.paths | length))"' <<<"$info")
+  counts=$(jq -r '"\(.total.sprites):\((.cameras | length) + (.paths | length))"' <<<"$info")
   for plain in no yes; do
     file="$out/$name-plain-$plain.glb"
     "$program" export "$scene" -o "$file" --set plain=$plain 2>/dev/null
