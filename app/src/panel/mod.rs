@@ -20,6 +20,7 @@ mod place_many;
 mod plugin;
 mod problems;
 mod progress;
+mod refusals;
 mod script;
 mod shading_groups;
 mod sky;

@@ -2,8 +2,8 @@
 //! written again byte for byte.
 //!
 //! Little-endian: u32 0x238C; u32 number of sprites; the texture's name, ended by a zero within 128 bytes; u32 number of
-//! colour levels, each { f32 level, u32 colour }; and 44 bytes a sprite: { f32 position[3]; i16 shading number, group
-//! number, width from and to, length from and to, rotation from and to; f32 uv[2][2] }.
+//! colour levels, each { f32 level, u32 colour }; and 44 bytes a sprite: { f32 `position[3]`; i16 shading number, group
+//! number, width from and to, length from and to, rotation from and to; f32 `uv[2][2]` }.
 //!
 //! Source: the order and types by which the editor of Amazon Lumberyard reads such files ("MS FS (*.cld)" in its
 //! CloudGroup.cpp). Known by that reader alone, as **no sample file was at hand**: which way the axes run, that the second

@@ -4,7 +4,7 @@
 //! judge it. A kind without a field of its own has a line to type that text in.
 
 use super::curve;
-use crate::panel::weather_report::refusals;
+use crate::panel::refusals::refusals;
 use crate::reports::{self, Line};
 use crate::theme::{self, icon};
 use crate::units::Units;

@@ -4,8 +4,6 @@
 mod covers;
 mod understood;
 
-pub(super) use understood::refusals;
-
 use super::corner::{self, Answer};
 use super::plugin::{Said, said};
 use crate::reports::{Line, Made, reading};

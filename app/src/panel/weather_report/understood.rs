@@ -1,10 +1,9 @@
 //! What was understood of reports: each one's groups; and first the group of each that could not be read.
 
+use crate::panel::refusals::refusals;
 use crate::reports::{Line, words};
-use crate::theme::{self, icon};
 use crate::units::Units;
-use crate::visible;
-use egui::{Label, RichText, ScrollArea, Ui};
+use egui::{Label, ScrollArea, Ui};
 
 /// So many are listed: of more, nobody reads each.
 const MOST: usize = 60;
@@ -25,32 +24,5 @@ pub(super) fn show(ui: &mut Ui, lines: Result<&[Line], &str>, units: Units) {
         if count > MOST {
             ui.weak(format!("and {} more", count - MOST));
         }
-    });
-}
-
-/// The group of each report that can't be read.
-pub(in crate::panel) fn refusals(ui: &mut Ui, lines: Result<&[Line], &str>) {
-    let lines = match lines {
-        Ok(lines) => lines,
-        Err(why) => return refusal(ui, why),
-    };
-    let refused = lines.iter().filter_map(|line| Some((line.number, line.read.as_ref().err()?)));
-    let count = refused.clone().count();
-    for (number, refused) in refused.take(FEW) {
-        let place = if lines.len() > 1 { format!("report in line {number}, ") } else { String::new() };
-        refusal(ui, &format!("{place}{refused}"));
-    }
-    if count > FEW {
-        refusal(ui, &format!("and {} more that can't be read", count - FEW));
-    }
-}
-
-/// So many faults are told at once.
-const FEW: usize = 4;
-
-fn refusal(ui: &mut Ui, why: &str) {
-    ui.horizontal_top(|ui| {
-        ui.colored_label(theme::error(ui), icon::WARNING_CIRCLE);
-        ui.add(Label::new(RichText::new(visible::one_line(why)).color(theme::error(ui))).wrap());
     });
 }
