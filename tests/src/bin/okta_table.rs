@@ -14,15 +14,30 @@ use std::io::Write as _;
 use std::process::ExitCode;
 use std::time::Instant;
 
-/// What a report's group says is known to half an okta.
+/// So far a layer may be beyond the oktas that its group stands for: FEW for 1 to 2, SCT for 3 to 4, BKN for 5 to 7.
 const TOLERANCE_OKTAS: f64 = 0.5;
 
 /// Of one layer of one report.
 struct Measured {
     genus: Genus,
+    /// What its group stands for, from and to.
+    group_oktas: [f64; 2],
     asked_oktas: f64,
-    error_oktas: f64,
+    measured_oktas: f64,
     line: usize,
+}
+
+impl Measured {
+    /// How far it is from the middle of its group.
+    fn error_oktas(&self) -> f64 {
+        (self.measured_oktas - self.asked_oktas).abs()
+    }
+
+    /// How far it is beyond its group, 0 within.
+    fn beyond_oktas(&self) -> f64 {
+        let [from, to] = self.group_oktas;
+        (from - self.measured_oktas).max(self.measured_oktas - to).max(0.0)
+    }
 }
 
 /// What became of all.
@@ -96,8 +111,9 @@ impl Table {
             self.without_clouds += usize::from(layer.plugin.is_none());
             self.layers.extend(layer.cover.iter().map(|cover| Measured {
                 genus: layer.layer.genus,
+                group_oktas: layer.layer.cover.map_or([cover.asked_oktas; 2], |group| group.oktas().map(f64::from)),
                 asked_oktas: cover.asked_oktas,
-                error_oktas: cover.measured_oktas - cover.asked_oktas,
+                measured_oktas: cover.measured_oktas,
                 line: line.number,
             }));
         }
@@ -105,37 +121,32 @@ impl Table {
     }
 
     fn markdown(&self) -> String {
-        let mut genera: BTreeMap<String, Vec<f64>> = BTreeMap::new();
+        let mut genera: BTreeMap<String, Vec<&Measured>> = BTreeMap::new();
         for layer in &self.layers {
-            let errors = genera.entry(format!("{:?}", layer.genus)).or_default();
-            errors.push(layer.error_oktas.abs());
+            genera.entry(format!("{:?}", layer.genus)).or_default().push(layer);
         }
-        let mut all: Vec<f64> = self.layers.iter().map(|layer| layer.error_oktas.abs()).collect();
         let mut text = format!(
             "# Skies of real reports\n\n{} reports: {} are read and become skies, {} of them without clouds; {} are \
-             refused. {} layers of\nfog lie below eye level and are left to the haze.\n\nOktas that a layer covers, measured \
-             from below, against those that its group asks for:\n\n| kind | layers | median error | 95 % | largest | over \
-             {TOLERANCE_OKTAS} |\n|---|---|---|---|---|---|\n",
+             refused. {} layers of\nfog lie below eye level and are left to the haze.\n\nOktas that each layer covers, \
+             measured from below: how far they are from the middle of its group, and how many are\nmore than \
+             {TOLERANCE_OKTAS} beyond all that the group stands for.\n\n| kind | layers | median error | 95 % | largest | \
+             beyond |\n|---|---|---|---|---|---|\n",
             self.read + self.refused.len(),
             self.read,
             self.cloudless,
             self.refused.len(),
             self.without_clouds,
         );
-        for (name, errors) in &mut genera {
-            row(&mut text, name, errors);
+        for (name, layers) in &genera {
+            row(&mut text, name, layers);
         }
-        row(&mut text, "all", &mut all);
-        let far: Vec<&Measured> =
-            self.layers.iter().filter(|layer| layer.error_oktas.abs() > TOLERANCE_OKTAS).collect();
+        let all: Vec<&Measured> = self.layers.iter().collect();
+        row(&mut text, "all", &all);
+        let far: Vec<&Measured> = all.into_iter().filter(|layer| layer.beyond_oktas() > TOLERANCE_OKTAS).collect();
         if !far.is_empty() {
-            text.push_str("\nFurther off:\n\n");
-            for Measured { genus, asked_oktas, error_oktas, line } in far {
-                let _ = writeln!(
-                    text,
-                    "- line {line}: {genus:?}, {:.1} oktas for {asked_oktas:.1}",
-                    asked_oktas + error_oktas
-                );
+            text.push_str("\nBeyond:\n\n");
+            for Measured { genus, asked_oktas, measured_oktas, line, .. } in far {
+                let _ = writeln!(text, "- line {line}: {genus:?}, {measured_oktas:.1} oktas for {asked_oktas:.1}");
             }
         }
         if !self.refused.is_empty() {
@@ -148,11 +159,12 @@ impl Table {
     }
 }
 
-fn row(text: &mut String, name: &str, errors: &mut [f64]) {
+fn row(text: &mut String, name: &str, layers: &[&Measured]) {
+    let mut errors: Vec<f64> = layers.iter().map(|layer| layer.error_oktas()).collect();
     errors.sort_by(f64::total_cmp);
-    let over = errors.iter().filter(|error| **error > TOLERANCE_OKTAS).count();
-    let [median, most, largest] = [0.5, 0.95, 1.0].map(|share| at(errors, share));
-    let _ = writeln!(text, "| {name} | {} | {median:.2} | {most:.2} | {largest:.2} | {over} |", errors.len());
+    let beyond = layers.iter().filter(|layer| layer.beyond_oktas() > TOLERANCE_OKTAS).count();
+    let [median, most, largest] = [0.5, 0.95, 1.0].map(|share| at(&errors, share));
+    let _ = writeln!(text, "| {name} | {} | {median:.2} | {most:.2} | {largest:.2} | {beyond} |", errors.len());
 }
 
 /// What `share` of sorted values are not above; 0 if there are none.

@@ -137,6 +137,30 @@ fn the_menu_has_all_that_ship_by_their_names() {
     assert!(window.shows("Strews a cloud model"), "from the palette too");
 }
 
+/// Each by its labels from its menu, on a scene with clouds and a path, all clouds selected; and taken back in one step.
+#[test]
+#[ignore = "minutes: each is a process of a debug build, and a large scene"]
+fn each_that_ships_runs_from_its_menu_and_is_taken_back() {
+    let mut window = Window::open();
+    window.answer(Reply::Path(cloudwright_tests::scene_path("fair_weather")));
+    window.command(Command::Open);
+    window.settle();
+    let start = window.file();
+    for shipped in SHIPPED {
+        let plugin = description(shipped.name).description;
+        if plugin.kind == PluginKind::Exporter {
+            continue;
+        }
+        window.command(Command::SelectAll);
+        window.ask_plugin(plugin.kind, &plugin.name);
+        window.press("OK");
+        window.wait(&plugin.name, |window| window.undo_name().as_deref() == Some(&plugin.name));
+        assert_ne!(window.file(), start, "{}", plugin.name);
+        window.command(Command::Undo);
+        assert_eq!((window.file(), window.undo_name()), (start.clone(), None), "{}", plugin.name);
+    }
+}
+
 #[test]
 fn what_is_shown_becomes_one_undo_point() {
     let mut window = Window::open();
