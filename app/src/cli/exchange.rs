@@ -29,8 +29,13 @@ pub(super) fn choice_failure(error: &ChoiceError, file: &str, written: bool) -> 
     let names: Vec<&str> = formats(written).map(|format| format.name).collect();
     match error {
         ChoiceError::NoEnding => {
-            let endings: Vec<String> =
-                formats(written).flat_map(|format| format.endings).map(|ending| format!(".{ending}")).collect();
+            // Several formats may have one.
+            let mut endings: Vec<String> = Vec::new();
+            for ending in formats(written).flat_map(|format| format.endings).map(|ending| format!(".{ending}")) {
+                if !endings.contains(&ending) {
+                    endings.push(ending);
+                }
+            }
             let hint = match endings.split_last() {
                 Some((last, [])) => format!("end its name in {last}"),
                 Some((last, others)) => format!("end its name in {} or {last}, or say --format", others.join(", ")),
