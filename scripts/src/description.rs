@@ -215,7 +215,8 @@ fn run(p) { throw "it was run"; }
     #[test]
     fn an_exporter_says_what_its_files_end_in() {
         let read = |ending: &str| {
-            let written = format!("const PLUGIN = #{{ name: \"E\", kind: \"exporter\", sentence: \"E.\"{ending} }};");
+            let head = format!("const PLUGIN = #{{ name: \"E\", kind: \"exporter\", sentence: \"E.\"{ending} }};");
+            let written = format!("{head}\nfn run(p) {{ \"\" }}");
             Plugin::read(&written).map(|plugin| plugin.description.ending).map_err(|error| error.to_string())
         };
         assert_eq!(read(""), Ok("txt".into()));
