@@ -26,13 +26,15 @@ fn shipped_plugins_make_what_they_make_in_one_thread() {
     let keys = vec![key(0.0), key(20.0)];
     scene.paths.push(CameraPath { id, name: "past".into(), field_of_view_deg: 60.0, keys });
     let selected: Vec<Thing> = scene.clouds.iter().map(|cloud| Thing::Cloud(cloud.id)).collect();
+    // How long they take on a busy machine is not what is asked.
+    let patience = Patience { until: None, ..Patience::usual() };
     for shipped in SHIPPED {
         let plugin = Plugin::read(shipped.source).expect(shipped.name);
         let values = plugin.values();
         let request = Request { plugin: &plugin, scene: &scene, selected: &selected, values: &values };
-        let apart = host().run(request, &Patience::usual());
+        let apart = host().run(request, &patience);
         assert!(apart.is_ok(), "{}: {apart:?}", shipped.name);
-        assert_eq!(apart, plugin.run_on(&scene, &selected, &values, &Patience::usual()), "{}", shipped.name);
+        assert_eq!(apart, plugin.run_on(&scene, &selected, &values, &patience), "{}", shipped.name);
     }
 }
 
