@@ -79,22 +79,33 @@ fn menu(kind: PluginKind) -> &'static str {
 }
 
 impl Window {
-    /// Opens the menu of plugins, once they are read.
+    /// Opens the menu of plugins at a submenu. Both may still be without what was just read.
     fn open_plugins(&mut self, submenu: &str) {
+        self.open_plugins_with(submenu, None);
+    }
+
+    fn open_plugins_with(&mut self, submenu: &str, entry: Option<&str>) {
         self.wait("the plugins", |window| window.harness.query_by_label("Plugins").is_some());
         for _ in 0..2_000 {
             self.press("Plugins");
-            if self.harness.query_by_role_and_label(Role::Button, submenu).is_some() {
-                return self.press(submenu);
+            if self.offers(submenu) {
+                self.press(submenu);
+                if entry.is_none_or(|entry| self.offers(entry)) {
+                    return;
+                }
             }
             self.press("Plugins");
             std::thread::sleep(Duration::from_millis(5));
         }
-        panic!("there is no submenu {submenu}");
+        panic!("there is no {} in {submenu}", entry.unwrap_or("submenu"));
+    }
+
+    fn offers(&self, button: &str) -> bool {
+        self.harness.query_by_role_and_label(Role::Button, button).is_some()
     }
 
     pub(crate) fn ask_plugin(&mut self, kind: PluginKind, name: &str) {
-        self.open_plugins(menu(kind));
+        self.open_plugins_with(menu(kind), Some(name));
         self.press(name);
     }
 
