@@ -11,7 +11,7 @@ use crate::state::empty_sky;
 use crate::storage::FileId;
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
-use cloudwright_core::exchange::{Arrived, ArrivedCloud, Arriving, Content, FORMATS, Format};
+use cloudwright_core::exchange::{Arrived, ArrivedCloud, Arriving, Content, Format, HEAD_BYTES};
 use cloudwright_core::formats::wpr::Preset;
 use cloudwright_core::reported::Sky;
 use cloudwright_core::scene::Scene;
@@ -63,11 +63,11 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { file, output, .. } = arguments;
-    let most = FORMATS.iter().map(Format::max_bytes).max().unwrap_or_default();
-    let bytes = storage::read(file, most)?;
     let file_name = file.file_name().unwrap_or_default().to_string_lossy();
-    let format = Format::to_read(arguments.format.as_deref(), &file_name, &bytes)
+    let head = storage::read_head(file, HEAD_BYTES)?;
+    let format = Format::to_read(arguments.format.as_deref(), &file_name, &head)
         .map_err(|error| choice_failure(&error, &file.display().to_string(), false))?;
+    let bytes = storage::read(file, format.max_bytes())?;
     let mut options = format.usual_for_reading();
     set_options(&mut options, &arguments.set, format.read_options)?;
     let scene = match &arguments.scene {

@@ -57,6 +57,17 @@ pub fn read(path: &Path, limit: usize) -> Result<Vec<u8>, StorageError> {
     if bytes.len() > limit { Err(too_large()) } else { Ok(bytes) }
 }
 
+/// The first bytes of an ordinary file, at most `limit`.
+///
+/// # Errors
+/// If it can't be read, or is a folder, a pipe or a device.
+pub fn read_head(path: &Path, limit: usize) -> Result<Vec<u8>, StorageError> {
+    let (file, _) = ordinary::open(path, File::options().read(true))?;
+    let mut bytes = Vec::new();
+    file.take(limit as u64).read_to_end(&mut bytes).map_err(|error| StorageError::read(path, &error))?;
+    Ok(bytes)
+}
+
 /// Gives the file `from` the name `to`, in place of what has it.
 ///
 /// # Errors

@@ -48,6 +48,9 @@ pub(super) struct Reader {
     pub(super) max_bytes: usize,
 }
 
+/// So much of a file's beginning tells formats with one ending apart, bytes.
+pub const HEAD_BYTES: usize = 1 << 16;
+
 /// Why no format was chosen.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum ChoiceError {

@@ -23,7 +23,7 @@ mod tiles;
 mod wpr;
 
 pub use arriving::{Arrived, ArrivedCloud, Arriving, Content};
-pub use format::{ChoiceError, Corners, Format};
+pub use format::{ChoiceError, Corners, Format, HEAD_BYTES};
 pub use leaving::{ExportError, Files, Leaving, Note, NoteKind, numbered};
 pub use options::{OptionError, OptionKind, OptionRow, Options};
 pub use part::Part;

@@ -120,7 +120,8 @@ impl Format {
         to_write(FORMATS, named, file_name)
     }
 
-    /// The format that `named` says, or else the one that a file of that name and with these `bytes` is.
+    /// The format that `named` says, or else the one that a file of that name is that begins with those `bytes`, up to
+    /// [`super::HEAD_BYTES`] of them.
     ///
     /// # Errors
     /// If there is none, or it is only written.

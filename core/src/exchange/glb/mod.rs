@@ -4,8 +4,8 @@
 //! moment. Either each quad is an instance (`EXT_mesh_gpu_instancing`, with the mean of its corners' colours as `_COLOR_0`),
 //! or, plain, a cloud is a mesh of its own with the colours of all corners, from the farthest sprite to the nearest. The
 //! sheet of tiles is embedded, the material unlit (`KHR_materials_unlit`). Cameras, camera paths and drifting clouds
-//! are nodes with an animation, the formation of clouds moves their materials' alpha (`KHR_animation_pointer`), the sun is a
-//! light (`KHR_lights_punctual`).
+//! are nodes with an animation, clouds that form or fade by the clock move their materials' alpha
+//! (`KHR_animation_pointer`), the sun is a light (`KHR_lights_punctual`).
 //!
 //! Colours are linear light times the scene's exposure, at most 1: the tone curve is the viewer's. glTF knows straight
 //! alpha alone, so the sheet's clear texels have the mean colour of their tile, and no rim darkens where it is filtered.
@@ -72,11 +72,12 @@ pub(super) fn write(leaving: &Leaving<'_>, files: &mut dyn Files) -> Result<Vec<
     let mut nodes = Nodes::default();
     let mut root = json!({ "asset": { "version": "2.0", "generator": "Cloudwright" }, "scene": 0 });
     sheet::write(&mut root, &mut buffer, leaving.atlas);
-    let clouds = sprites::write(&mut root, &mut buffer, &mut nodes, leaving, (still, plain));
+    let times = motion::times_of_clock(leaving);
+    let clouds = sprites::write(&mut root, &mut buffer, &mut nodes, leaving, (still, plain, &times));
     let clouds = clouds.ok_or(ExportError::Cancelled)?;
     let cameras = cameras(&mut root, &mut nodes, scene);
     sun(&mut root, &mut nodes, &now.light, now.exposure);
-    let moves = motion::write(&mut root, &mut buffer, &mut nodes, leaving, (&cameras, &clouds));
+    let moves = motion::write(&mut root, &mut buffer, &mut nodes, leaving, (&cameras, &clouds, &times));
     let mut used = vec!["KHR_materials_unlit"];
     if root["extensions"].is_object() {
         used.push("KHR_lights_punctual");
@@ -85,7 +86,7 @@ pub(super) fn write(leaving: &Leaving<'_>, files: &mut dyn Files) -> Result<Vec<
         used.push(INSTANCING);
         root["extensionsRequired"] = json!([INSTANCING]);
     }
-    if moves.forms {
+    if moves.forms > 0 {
         used.push("KHR_animation_pointer");
     }
     root["extensionsUsed"] = json!(used);
@@ -206,6 +207,10 @@ fn notes(plain: bool, clouds: &sprites::Written, moves: &motion::Moves) -> Vec<N
     }
     if clouds.clipped > 0 {
         notes.push(Note::changed(format!("{} corners", clouds.clipped), "brighter than 1, which is cut"));
+    }
+    if moves.forms > 0 {
+        let what = format!("how {} clouds form", moves.forms);
+        notes.push(Note::changed(what, "all sprites of a cloud at once"));
     }
     if moves.turns > 0 {
         let what = format!("how {} clouds turn, grow or stream", moves.turns);

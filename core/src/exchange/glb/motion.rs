@@ -12,7 +12,8 @@ use crate::weather::{CloudNow, WeatherRules, clouds_now};
 use glam::{DQuat, DVec3};
 use serde_json::{Value, json};
 
-/// How far a straight line between two keys may be from the way, metres.
+/// How far a straight line between two keys may be from the way, metres; far from the world's origin a key's own f32 adds to
+/// it: 1/32 m at 1,000 km.
 pub const TOLERANCE_M: f64 = 0.05;
 /// How far a turn between two keys may be from the true one, degrees.
 pub const TOLERANCE_DEG: f64 = 0.02;
@@ -27,8 +28,8 @@ const LOOKS: usize = 32;
 /// What the animation holds.
 #[derive(Debug, Default)]
 pub(super) struct Moves {
-    /// Whether alphas move.
-    pub(super) forms: bool,
+    /// How many clouds' alphas move.
+    pub(super) forms: usize,
     /// How many clouds do more than drift and form.
     pub(super) turns: usize,
 }
@@ -45,9 +46,9 @@ pub(super) fn write(
     buffer: &mut Buffer,
     nodes: &mut Nodes,
     leaving: &Leaving<'_>,
-    (cameras, clouds): (&[usize], &Written),
+    (cameras, clouds, times_s): (&[usize], &Written, &[f64]),
 ) -> Moves {
-    let Leaving { scene, derived, now, .. } = *leaving;
+    let Leaving { scene, derived, now, watch, .. } = *leaving;
     let mut animation = Animation { buffer, channels: Vec::new(), samplers: Vec::new() };
     for path in &scene.paths {
         let curve = PathCurve::new(path);
@@ -65,24 +66,24 @@ pub(super) fn write(
             });
         }
     }
-    let end_s = end_s(scene, derived);
     let mut moves = Moves::default();
-    if end_s > 0.0 {
-        let keyed: Vec<f64> = scene.tracks.iter().flat_map(|track| track.keys.iter().map(|key| key.time_s)).collect();
-        let times = times(keyed.into_iter(), end_s);
+    if !times_s.is_empty() {
         for (camera, node) in scene.cameras.iter().zip(cameras) {
             let at = |time: f64| {
                 let camera = derived.timeline().camera_at(camera, time);
                 (camera.position, turn_of(&camera))
             };
-            if times.iter().any(|time| at(*time) != at(0.0)) {
-                animation.fly(*node, &times, at);
+            if times_s.iter().any(|time| at(*time) != at(0.0)) {
+                animation.fly(*node, times_s, at);
             }
         }
         for (cloud, place) in now.clouds.iter().map(|cloud| cloud.placed).zip(&clouds.nodes) {
-            animation.drift(place.node, cloud, derived, &times);
-            moves.forms |= animation.form(*place, cloud, derived, &times);
-            moves.turns += usize::from(does_more(cloud, derived, &times));
+            if watch.is_cancelled() {
+                break;
+            }
+            animation.drift(place.node, cloud, derived, times_s);
+            moves.forms += usize::from(animation.form(*place, cloud, derived, times_s));
+            moves.turns += usize::from(does_more(cloud, derived, times_s));
         }
     }
     if !animation.channels.is_empty() {
@@ -90,6 +91,30 @@ pub(super) fn write(
         push(root, "animations", json!({ "name": "timeline", "channels": channels, "samplers": samplers }));
     }
     moves
+}
+
+/// Times at which what the scene's clock moves is looked at, at least; none if it moves nothing.
+pub(super) fn times_of_clock(leaving: &Leaving<'_>) -> Vec<f64> {
+    let Leaving { scene, derived, .. } = *leaving;
+    let end_s = end_s(scene, derived);
+    if end_s <= 0.0 {
+        return Vec::new();
+    }
+    let formations = scene.clouds.iter().filter_map(|cloud| cloud.formation.as_ref());
+    let begun = formations.flat_map(|formation| [formation.start_s, formation.end_s()]);
+    let keyed = scene.tracks.iter().flat_map(|track| track.keys.iter().map(|key| key.time_s));
+    times(keyed.chain(begun), end_s)
+}
+
+/// Whether a cloud's alpha is not the same at all those times.
+pub(super) fn forms(cloud: &PlacedCloud, leaving: &Leaving<'_>, times_s: &[f64]) -> bool {
+    let Leaving { scene, derived, .. } = *leaving;
+    // What has neither formation nor tracks, and doesn't come in anew at a region's other side, is not looked at.
+    let may = cloud.cloud.formation.is_some()
+        || derived.timeline().cloud_at(&cloud.cloud, 0.0).is_some()
+        || derived.timeline().wind().is_some() && scene.weather.region.is_some();
+    let share = |time: &f64| at(cloud, derived, *time).map(|now| share_formed(&now));
+    may && times_s.iter().any(|time| share(time) != share(&times_s[0]))
 }
 
 /// When the clock has nothing more to move but what moves for ever, seconds; of a wind alone a minute; 0 if nothing moves.

@@ -1,7 +1,7 @@
 //! Clouds as nodes, their sprites as instances of a quad a tile, or as one mesh a cloud.
 
 use super::container::{Buffer, Use};
-use super::{INSTANCING, Leaving, Nodes, push, sheet};
+use super::{INSTANCING, Leaving, Nodes, motion, push, sheet};
 use crate::color::Rgba;
 use crate::facing::Pose;
 use crate::posed_sprite::{PosedSprite, Still};
@@ -44,15 +44,15 @@ pub(super) fn write(
     buffer: &mut Buffer,
     nodes: &mut Nodes,
     leaving: &Leaving<'_>,
-    (still, plain): (Still<'_>, bool),
+    (still, plain, times_s): (Still<'_>, bool, &[f64]),
 ) -> Option<Written> {
-    let Leaving { scene, now, watch, .. } = *leaving;
+    let Leaving { now, watch, .. } = *leaving;
     let mut meshes = Meshes { root, buffer, tiles: BTreeMap::new() };
     let mut written = Written::default();
     let mut far_to_near: Vec<(f32, usize)> = Vec::new();
     watch.expect(now.clouds.len() as u64);
     for cloud in watch.along(1, &now.clouds) {
-        let forms = scene.clouds.with_id(cloud.placed.id).is_some_and(|authored| authored.formation.is_some());
+        let forms = motion::forms(cloud.placed, leaving, times_s);
         let material = forms.then(|| meshes.material(&cloud.placed.name, f64::from(share_formed(cloud))));
         // What its material says of all of it, its sprites don't say again.
         let whole = CloudNow { formed: Formed::WHOLE, opacity: 1.0, ..cloud.clone() };

@@ -3,11 +3,13 @@
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::exchange::Content;
-use cloudwright_core::exchange::glb::{TOLERANCE_DEG, TOLERANCE_M};
+use cloudwright_core::exchange::glb::{TOLERANCE_DEG, TOLERANCE_M, TOLERANCE_OPACITY};
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::formats::{Misread, scene_file};
 use cloudwright_core::posed_sprite::Still;
-use cloudwright_core::scene::Scene;
+use cloudwright_core::scene::{
+    Cloud, CloudId, Formation, FormationChange, HowFarFormed, KeyValue, Scene, Track, TrackId, TrackKey,
+};
 use cloudwright_core::weather::{Light, WeatherRules};
 use cloudwright_tests::small_scenes::{everything, heap};
 use glam::{DVec3, Quat, Vec3};
@@ -85,10 +87,18 @@ impl File {
 
     /// Times and values of a node's channel.
     fn keys<const N: usize>(&self, node: usize, path: &str) -> Vec<(f32, [f32; N])> {
+        self.channel(|target| target["node"] == node && target["path"] == path)
+    }
+
+    /// Times and values of what moves at that place of the file.
+    fn factors(&self, pointer: &str) -> Vec<(f32, [f32; 4])> {
+        self.channel(|target| target["extensions"]["KHR_animation_pointer"]["pointer"] == pointer)
+    }
+
+    fn channel<const N: usize>(&self, is_target: impl Fn(&Value) -> bool) -> Vec<(f32, [f32; N])> {
         let animation = &self.root["animations"][0];
         let channels = animation["channels"].as_array().expect("channels");
-        let is_it = |channel: &&Value| channel["target"]["node"] == node && channel["target"]["path"] == path;
-        let channel = channels.iter().find(is_it).unwrap_or_else(|| panic!("no {path} of node {node}"));
+        let channel = channels.iter().find(|channel| is_target(&channel["target"])).expect("it moves");
         let sampler = &animation["samplers"][channel["sampler"].as_u64().expect("an index") as usize];
         let times = self.numbers::<1>(&sampler["input"]);
         times.into_iter().map(|[time]| time).zip(self.numbers(&sampler["output"])).collect()
@@ -225,6 +235,63 @@ fn paths_are_followed_within_the_tolerance() {
         }
     }
     assert!(!scene.paths.is_empty(), "there is something to follow");
+}
+
+/// Clouds that form by their formation, by a track of how far they have formed, by one of their opacity, and that drift:
+/// the material's alpha and the node's place follow what is drawn. Between keys a line may be a parabola's 4/3 farther off.
+#[test]
+fn clouds_form_and_drift_as_they_are_drawn() {
+    let mut scene = heap(30);
+    let first = scene.clouds[0].clone();
+    let mut add = |name: &str| {
+        let id = CloudId::new(&mut scene.next_id);
+        scene.clouds.push(Cloud { id, name: name.into(), ..first.clone() });
+        id
+    };
+    let [forms, formed, fades] = ["forms", "formed", "fades"].map(&mut add);
+    let formation =
+        Formation { change: FormationChange::Forming, start_s: 3.0, core_s: 20.0, edges_s: 9.0, threshold: 0.5 };
+    scene.clouds.with_id_mut(forms).expect("there").formation = Some(formation);
+    scene.clouds.with_id_mut(formed).expect("there").formed = Some(HowFarFormed { core: 1.0, edges: 1.0 });
+    let tracks = [
+        (formed, "formed.core", [(0.0, 0.0), (17.0, 0.4), (40.0, 1.0)]),
+        (fades, "opacity", [(0.0, 0.8), (12.5, 0.3), (40.0, 1.0)]),
+    ];
+    for (cloud, path, keys) in tracks {
+        let keys = keys.map(|(time_s, value)| TrackKey::new(time_s, KeyValue::One(value))).to_vec();
+        let id = TrackId::new(&mut scene.next_id);
+        scene.tracks.push(Track::new(id, format!("cloud/{cloud}/{path}"), keys));
+    }
+    scene.weather.wind_speed_mps = 12.0;
+    let derived = Derived::new(&scene);
+    let file = File::of(&scene, false);
+    let materials = file.list("materials");
+    assert_eq!(materials.len(), 1 + 3, "one for what doesn't form, and one for each that does");
+    for step in 0..=400 {
+        let time = 40.0 * f64::from(step) / 400.0;
+        for cloud in derived.clouds_at(time, WeatherRules::default()) {
+            let name = &cloud.placed.name;
+            let (a, b, share) = around(&file.keys::<3>(file.node(name), "translation"), time as f32);
+            let place = Vec3::from(a).lerp(Vec3::from(b), share).as_dvec3();
+            assert!(place.distance(cloud.origin()) < TOLERANCE_M * 4.0 / 3.0 + 1e-3, "{name} at {time}");
+            let Some(material) = materials.iter().position(|material| material["name"] == name.as_str()) else {
+                assert_eq!(name, &first.name);
+                continue;
+            };
+            let (mut shown, mut all) = (0.0, 0.0);
+            for sprite in cloud.placed.sprites.iter() {
+                let area = sprite.width * sprite.height;
+                shown += area * cloud.opacity_at(cloud.placed.radii_of(sprite.position));
+                all += area;
+            }
+            let pointer = format!("/materials/{material}/pbrMetallicRoughness/baseColorFactor");
+            let (a, b, share) = around(&file.factors(&pointer), time as f32);
+            let alpha = a[3] + (b[3] - a[3]) * share;
+            // Times are f32: 2e-6 s at 40 s, of what changes by 1 in 5 s.
+            let bound = TOLERANCE_OPACITY as f32 * 4.0 / 3.0 + 1e-5;
+            assert!((alpha - shown / all).abs() < bound, "{name} at {time}: {alpha} for {}", shown / all);
+        }
+    }
 }
 
 /// The keys before and after a time, and which share of the way between them it is.
