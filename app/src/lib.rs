@@ -9,6 +9,7 @@ pub mod chart;
 pub mod cli;
 pub mod command;
 pub mod editor;
+pub mod exchange;
 pub mod opening;
 mod panel;
 mod picture_png;

@@ -92,11 +92,20 @@ pub fn export(text: &str, scene: &Scene, from: Option<&Path>, path: &Path, over:
     if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(scene_file::EXTENSION)) {
         return Err(SaveError::NoScene { path: path.into() });
     }
-    if let Some(what) = from.and_then(|from| in_use(scene, from, path)) {
-        return Err(SaveError::InUse { path: path.into(), what });
-    }
+    check_unused(scene, from, path)?;
     storage::write_over(path, text.as_bytes(), over)?;
     Ok(())
+}
+
+/// That nothing which is read, `scene`'s file `from` and what it names, lies at `path`.
+///
+/// # Errors
+/// If something does.
+pub(crate) fn check_unused(scene: &Scene, from: Option<&Path>, path: &Path) -> Result<(), SaveError> {
+    match from.and_then(|from| in_use(scene, from, path)) {
+        Some(what) => Err(SaveError::InUse { path: path.into(), what }),
+        None => Ok(()),
+    }
 }
 
 /// Which of the files that are read, the scene's `file` and what it names, lies at `path`, by whatever name.

@@ -4,18 +4,18 @@ use super::exchange::{Answer, choice_failure, set_options, tell_notes};
 use super::failure::Failure;
 use super::progress::Progress;
 use super::{answer, arguments, info, input};
+use crate::exchange::{LeaveError, Left, Order, Subject, leave};
 use crate::opening::{self, Beside};
-use crate::saving;
-use crate::storage::Together;
+use crate::saving::SaveError;
+use crate::storage::Over;
 use crate::units::time_of_day;
-use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
-use cloudwright_core::exchange::{Corners, ExportError, Files, Format, Leaving, Note, Part};
+use cloudwright_core::exchange::{Corners, ExportError, Format, Part};
 use cloudwright_core::scene::Scene;
-use cloudwright_core::weather::{CloudNow, Moment, SceneNow, WeatherRules};
-use std::io::{self, ErrorKind, Write};
-use std::path::{Path, PathBuf};
+use cloudwright_core::sprites::PlacedCloud;
+use cloudwright_core::weather::Moment;
+use std::path::PathBuf;
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -63,7 +63,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let name = file_name(&arguments.output);
+    let name = arguments.output.file_name().unwrap_or_default().to_string_lossy();
     let format = Format::to_write(arguments.format.as_deref(), &name)
         .map_err(|error| choice_failure(&error, &format!("--output {}", arguments.output.display()), true))?;
     let mut options = format.usual_for_writing();
@@ -89,36 +89,45 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let derived = plan.carry_out(progress.watch()).ok_or_else(Failure::stopped)?;
     drop(progress);
     let progress = Progress::start_stoppable("exporting");
-    let moment = Moment { clock_s: arguments.at, time_h: arguments.time };
-    let mut now = SceneNow::new(&scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
-    let is_meant = |cloud: &CloudNow<'_>| arguments.cloud.is_empty() || arguments.cloud.contains(&cloud.placed.name);
-    now.clouds.retain(is_meant);
-    let view = camera.map(|camera| {
-        let camera = derived.timeline().camera_at(&camera, arguments.at);
-        View::new(&camera, 1, 1)
-    });
-    let leaving = Leaving {
-        scene: &scene,
-        derived: &derived,
-        moment,
-        now: &now,
-        atlas: beside.sheet(),
-        view: view.as_ref(),
-        name: &name,
-        options: &options,
-        watch: progress.watch(),
+    let chosen = |cloud: &&PlacedCloud| arguments.cloud.contains(&cloud.name);
+    let order = Order {
+        format,
+        options,
+        clouds: (!arguments.cloud.is_empty())
+            .then(|| derived.clouds().iter().filter(chosen).map(|cloud| cloud.id).collect()),
+        camera: camera.map(|camera| derived.timeline().camera_at(&camera, arguments.at)),
+        moment: Moment { clock_s: arguments.at, time_h: arguments.time },
+        over: Over::Anything,
     };
-    let mut files = Written { scene: &scene, arguments, together: Together::default(), failed: None };
-    let written = format.write(&leaving, &mut files);
-    let notes = files.notes(written)?;
-    let written = files.together.take_names()?;
+    let subject = Subject { scene: &scene, derived: &derived, atlas: beside.sheet(), file: Some(&arguments.scene) };
+    let left = leave(subject, &order, &arguments.output, progress.watch());
     drop(progress);
+    let Left { files, notes } = left.map_err(|error| failure(arguments, error))?;
     if arguments.json {
-        let files = written.iter().map(|path| path.display().to_string()).collect();
+        let files = files.iter().map(|path| path.display().to_string()).collect();
         return answer(&info::json_text(&Answer { format: format.name, files, notes: &notes })?);
     }
     tell_notes(&notes);
     Ok(())
+}
+
+fn failure(arguments: &Arguments, error: LeaveError) -> Failure {
+    let scene = arguments.scene.display();
+    match error {
+        LeaveError::Save(SaveError::InUse { path, what }) => {
+            let what = format!("--output: {} would be written, and that is {what}", path.display());
+            Failure::argument(what, "choose another name; it would be lost")
+        }
+        LeaveError::Save(error) => input::save_failure(error),
+        LeaveError::Export(ExportError::Cancelled) => Failure::stopped(),
+        LeaveError::Export(error @ ExportError::Nothing(_)) => {
+            Failure::argument(format!("{scene}: {error}"), "there is nothing to export")
+        }
+        LeaveError::Export(error @ ExportError::TooMuch { .. }) => {
+            Failure::argument(format!("{scene}: {error}"), "export fewer clouds: --cloud NAME")
+        }
+        LeaveError::Export(error) => Failure::could_not(error.to_string(), "report this"),
+    }
 }
 
 /// Whether corners are to be lit: as the format always has them, or as it is asked to.
@@ -138,10 +147,6 @@ fn has_corners(arguments: &Arguments, format: &Format) -> Result<bool, Failure> 
     }
 }
 
-fn file_name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
 /// That the clouds that are asked for are there.
 fn check_clouds(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
     let names: Vec<&str> = scene.clouds.iter().map(|cloud| cloud.name.as_str()).collect();
@@ -151,49 +156,4 @@ fn check_clouds(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
         what,
         format!("{}the clouds are {}", arguments::did_you_mean(missing, &names), names.join(", ")),
     ))
-}
-
-/// The files of one export, beside the one that was asked for.
-struct Written<'a> {
-    scene: &'a Scene,
-    arguments: &'a Arguments,
-    together: Together,
-    /// Why a file could not be written.
-    failed: Option<Failure>,
-}
-
-impl Written<'_> {
-    fn notes(&mut self, written: Result<Vec<Note>, ExportError>) -> Result<Vec<Note>, Failure> {
-        let Arguments { scene, .. } = self.arguments;
-        written.map_err(|error| match (error, self.failed.take()) {
-            (ExportError::Cancelled, _) => Failure::stopped(),
-            (_, Some(failure)) => failure,
-            (error @ ExportError::Nothing(_), _) => {
-                Failure::argument(format!("{}: {error}", scene.display()), "there is nothing to export")
-            }
-            (error @ ExportError::TooMuch { .. }, _) => {
-                Failure::argument(format!("{}: {error}", scene.display()), "export fewer clouds: --cloud NAME")
-            }
-            (error, _) => Failure::could_not(error.to_string(), "report this"),
-        })
-    }
-
-    fn write(&mut self, path: &Path, fill: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> Result<(), Failure> {
-        if let Some(what) = saving::in_use(self.scene, &self.arguments.scene, path) {
-            let what = format!("--output: {} would be written, and that is {what}", path.display());
-            return Err(Failure::argument(what, "choose another name; it would be lost"));
-        }
-        Ok(self.together.add(path, |sink| fill(sink))?)
-    }
-}
-
-impl Files for Written<'_> {
-    fn add(&mut self, name: &str, fill: &mut dyn FnMut(&mut dyn Write) -> io::Result<()>) -> io::Result<()> {
-        let asked = &self.arguments.output;
-        let path = if name == file_name(asked) { asked.clone() } else { asked.with_file_name(name) };
-        self.write(&path, fill).map_err(|failure| {
-            self.failed = Some(failure);
-            ErrorKind::Other.into()
-        })
-    }
 }

@@ -6,14 +6,13 @@ use super::progress::Progress;
 use super::run::failure as plugin_failure;
 use super::weather::layer_line;
 use super::{answer, counted, info, input, say};
-use crate::reports::{MOST_TIME, MakeError, Making, make_sky};
+use crate::exchange::{CameIn, ChooseError, ComeInError, Placing, ReadError, choose, come_in, read};
+use crate::reports::{MOST_TIME, MakeError};
 use crate::state::empty_sky;
 use crate::storage::FileId;
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
-use cloudwright_core::exchange::{Arrived, ArrivedCloud, Arriving, Content, Format, HEAD_BYTES};
-use cloudwright_core::formats::wpr::Preset;
-use cloudwright_core::reported::Sky;
+use cloudwright_core::exchange::{Arrived, Content};
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::Patience;
 use glam::DVec3;
@@ -63,11 +62,10 @@ pub(super) struct Arguments {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let Arguments { file, output, .. } = arguments;
-    let file_name = file.file_name().unwrap_or_default().to_string_lossy();
-    let head = storage::read_head(file, HEAD_BYTES)?;
-    let format = Format::to_read(arguments.format.as_deref(), &file_name, &head)
-        .map_err(|error| choice_failure(&error, &file.display().to_string(), false))?;
-    let bytes = storage::read(file, format.max_bytes())?;
+    let format = choose(file, arguments.format.as_deref()).map_err(|error| match error {
+        ChooseError::Storage(error) => error.into(),
+        ChooseError::Choice(error) => choice_failure(&error, &file.display().to_string(), false),
+    })?;
     let mut options = format.usual_for_reading();
     set_options(&mut options, &arguments.set, format.read_options)?;
     let scene = match &arguments.scene {
@@ -75,14 +73,12 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         None => empty_sky(),
     };
     check_output(arguments, &scene)?;
-    let name = file.file_stem().unwrap_or_default().to_string_lossy();
-    let arriving = Arriving { bytes: &bytes, name: &name, options: &options };
-    let Arrived { content, notes } = format.read(&arriving).map_err(|misread| {
-        let what = format!("{}: {misread}", file.display());
-        Failure::argument(
-            what,
-            format!("it was read as {}, {}; --format reads it otherwise", format.name, format.title),
-        )
+    let Arrived { content, notes } = read(file, format, &options).map_err(|error| match error {
+        ReadError::Storage(error) => error.into(),
+        misread @ ReadError::Misread { .. } => {
+            let hint = format!("it was read as {}, {}; --format reads it otherwise", format.name, format.title);
+            Failure::argument(misread.to_string(), hint)
+        }
     })?;
     let mut document = Document::new(scene);
     let said = take(arguments, &mut document, &content)?;
@@ -98,44 +94,28 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 
 /// Puts what came in into the document, and says what that was.
 fn take(arguments: &Arguments, document: &mut Document, content: &Content) -> Result<Vec<String>, Failure> {
-    match content {
-        Content::Scene(scene) if arguments.scene.is_none() => {
-            let clouds = counted(scene.clouds.len(), "cloud", "clouds");
-            *document = Document::new(Scene::clone(scene));
-            Ok(vec![format!("the whole scene, {clouds}")])
-        }
-        Content::Scene(_) => {
-            let what = format!("{}: it holds a whole scene", arguments.file.display());
-            Err(Failure::argument(what, "leave the other scene out"))
-        }
-        Content::Weather(preset) => sky(arguments, document, preset),
-        Content::Clouds(clouds) => {
-            let (edits, placed) = ArrivedCloud::place_all(clouds, document.scene(), arguments.at);
-            let done = document.edit("Import", edits);
-            done.map_err(|error| Failure::argument(error.to_string(), "nothing is written; choose another --at"))?;
-            let models = counted(clouds.len(), "model", "models");
-            Ok(vec![format!("{models}, {}", counted(placed.len(), "cloud", "clouds"))])
-        }
+    if let (Content::Scene(scene), None) = (content, &arguments.scene) {
+        *document = Document::new(Scene::clone(scene));
+        return Ok(vec![format!("the whole scene, {}", counted(scene.clouds.len(), "cloud", "clouds"))]);
     }
-}
-
-/// The sky of a weather preset, its clouds by the plugins that ship.
-fn sky(arguments: &Arguments, document: &mut Document, preset: &Preset) -> Result<Vec<String>, Failure> {
-    let sky = Sky::of_preset(preset, document.scene());
-    let Arguments { seed, keep_clouds, .. } = *arguments;
-    let making = Making { speed: 1.0, seed, keeps_clouds: keep_clouds, moves_site: false, date: None };
+    let Arguments { at, seed, keep_clouds: keeps_clouds, .. } = *arguments;
     let progress = Progress::start_stoppable("making the sky");
     let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + MOST_TIME) };
-    let made = make_sky(document, "Weather from a preset", sky, &making, &patience);
+    let came = come_in(document, content, &Placing { at, seed, keeps_clouds }, &patience);
     drop(progress);
-    let made = made.map_err(|error| match error {
-        MakeError::Plugin { plugin, error } => plugin_failure(plugin, &error),
-        broken => Failure::could_not(broken.to_string(), "report this"),
+    let CameIn { models, clouds, layers } = came.map_err(|error| match error {
+        ComeInError::Make(MakeError::Plugin { plugin, error }) => plugin_failure(plugin, &error),
+        ComeInError::Make(broken) => Failure::could_not(broken.to_string(), "report this"),
+        ComeInError::Edit(error) => Failure::argument(error.to_string(), "nothing is written; choose another --at"),
+        whole @ ComeInError::Whole => {
+            Failure::argument(format!("{}: {whole}", arguments.file.display()), "leave the other scene out")
+        }
     })?;
-    if made.layers.is_empty() {
-        return Ok(vec!["the preset has no clouds".into()]);
-    }
-    Ok(made.layers.iter().map(layer_line).collect())
+    Ok(match content {
+        Content::Weather(_) if layers.is_empty() => vec!["the preset has no clouds".into()],
+        Content::Weather(_) => layers.iter().map(layer_line).collect(),
+        _ => vec![format!("{}, {}", counted(models, "model", "models"), counted(clouds.len(), "cloud", "clouds"))],
+    })
 }
 
 /// Known before the work: whether the scene can be written, and is none of what is read.

@@ -12,6 +12,7 @@ use crate::panel::Panel;
 use crate::state::{Session, ViewState, starter_scene};
 use crate::storage::Stamp;
 use cloudwright_core::formats::scene_file;
+use cloudwright_core::scene::Scene;
 use std::path::{Path, PathBuf};
 
 impl Editor {
@@ -42,6 +43,11 @@ impl Editor {
                 self.toasts.forget_errors();
             }
             Intent::OpenFile(path) => self.open_path(&path),
+            Intent::Take(scene) => {
+                let mut session = Session::new(Scene::clone(&scene), None);
+                session.mark_unsaved();
+                self.replace(session, None);
+            }
             Intent::Quit if self.writing.script.is_modified() => self.dialogs.open(Dialog::UnsavedScript(Then::Quit)),
             Intent::Quit => {
                 self.quitting = true;
@@ -117,6 +123,8 @@ impl Editor {
             Ask::Save(_) => self.save_under(&path, asked_already, context),
             Ask::SaveScript(_) => self.save_script_under(&path, asked_already),
             Ask::Export(_) => self.export_to(&path, asked_already),
+            Ask::Leave(_) => self.leave_to(&path, asked_already, context),
+            Ask::Arrive => self.ask_arriving(&path),
             Ask::AircraftModel(id, _) => self.use_model(*id, &path),
         }
     }

@@ -4,6 +4,7 @@
 //! editor then asks for the path in a window of its own.
 
 use crate::plugins;
+use cloudwright_core::exchange::FORMATS;
 use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::scene::AircraftId;
 use std::path::{Path, PathBuf};
@@ -21,6 +22,10 @@ pub enum Ask {
     SaveScript(PathBuf),
     /// Of what an exporter made, with the name to start from.
     Export(PathBuf),
+    /// Of a file of another program's to write, with the name to start from.
+    Leave(PathBuf),
+    /// Of a file of another program's to read.
+    Arrive,
     /// Of that aircraft's model, which lies beside the scene's file.
     AircraftModel(AircraftId, PathBuf),
 }
@@ -57,7 +62,13 @@ impl FileDialogs for NativeDialogs {
             Ask::Open | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
             Ask::SaveScript(_) => dialog.add_filter("Plugins", &[plugins::EXTENSION]),
             // Of the ending that the name has; a user may give another.
-            Ask::Export(start) => match start.extension().and_then(|ending| ending.to_str()) {
+            Ask::Arrive => {
+                let mut endings: Vec<&str> =
+                    FORMATS.iter().filter(|each| each.is_read()).flat_map(|each| each.endings).copied().collect();
+                endings.dedup();
+                dialog.add_filter("What other programs make", &endings)
+            }
+            Ask::Export(start) | Ask::Leave(start) => match start.extension().and_then(|ending| ending.to_str()) {
                 Some(ending) => dialog.add_filter(format!("{} files", ending.to_uppercase()), &[ending]),
                 None => dialog,
             },
@@ -66,10 +77,11 @@ impl FileDialogs for NativeDialogs {
         // Made on this thread, as macOS wants it, and waited for on another.
         let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
             Ask::Open => Box::pin(dialog.set_title("Open scene").pick_file()),
-            Ask::Save(start) | Ask::Export(start) | Ask::SaveScript(start) => {
+            Ask::Arrive => Box::pin(dialog.set_title("Import").pick_file()),
+            Ask::Save(start) | Ask::Export(start) | Ask::Leave(start) | Ask::SaveScript(start) => {
                 let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let title = match ask {
-                    Ask::Export(_) => "Export as",
+                    Ask::Export(_) | Ask::Leave(_) => "Export as",
                     Ask::SaveScript(_) => "Save script as",
                     _ => "Save scene as",
                 };

@@ -1,13 +1,17 @@
 //! What is to come after the present document.
 
 use crate::state::ScriptChange;
+use cloudwright_core::scene::Scene;
 use std::path::PathBuf;
+use std::sync::Arc;
 
 /// Something that leaves the present document.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Intent {
     New,
     OpenFile(PathBuf),
+    /// A scene that has no file yet.
+    Take(Arc<Scene>),
     Quit,
 }
 

@@ -9,6 +9,7 @@ mod charting;
 mod dialogs;
 mod disk;
 mod done;
+mod exchange;
 mod file_flow;
 mod files;
 mod flight;
@@ -45,6 +46,7 @@ use cloudwright_core::scene::{Camera, CameraId, ColorLevels};
 use dialogs::Dialogs;
 use disk::Disk;
 use eframe::egui_wgpu::RenderState;
+use exchange::{Arriving, Leaving};
 use files::Waiting;
 use intent::Intent;
 use layout::Layout;
@@ -71,6 +73,8 @@ pub struct Editor {
     writing: Writing,
     thinning: Option<Thinning>,
     weather: WeatherReport,
+    leaving: Leaving,
+    arriving: Arriving,
     time_play: TimePlay,
     clock: Clock,
     charting: Charting,
@@ -125,6 +129,8 @@ impl Editor {
             writing: Writing::new(context),
             thinning: None,
             weather: WeatherReport::default(),
+            leaving: Leaving::default(),
+            arriving: Arriving::default(),
             time_play: TimePlay::default(),
             clock: Clock::default(),
             charting: Charting::default(),
@@ -187,7 +193,8 @@ impl Editor {
     /// Whether something before the window waits for an answer.
     fn is_asking(&self) -> bool {
         let asks = self.palette.is_some() || self.place_many.is_some() || self.thinning.is_some();
-        asks || self.asks_by_showing() || self.dialogs.is_open()
+        let exchanges = self.leaving.is_asking() || self.arriving.is_asking();
+        asks || exchanges || self.asks_by_showing() || self.dialogs.is_open()
     }
 
     /// Whether a question shows what would come of it as an open gesture, until it is answered.
@@ -340,6 +347,8 @@ impl eframe::App for Editor {
         self.show_place_many(&context);
         self.show_thinning(&context);
         self.show_weather_report(&context);
+        self.show_leaving(&context);
+        self.show_arriving(&context);
         self.show_plugin(&context);
         self.show_last_run(&context);
         self.toasts.show(&context);

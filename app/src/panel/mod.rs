@@ -10,6 +10,7 @@ mod cloud;
 mod cloud_box;
 mod color_levels;
 mod corner;
+mod exchange;
 mod flight;
 mod history;
 mod inspector;
@@ -31,6 +32,7 @@ mod weather_report;
 
 pub(crate) use bars::{CommandState, menu_bar, toolbar};
 pub(crate) use corner::Answer;
+pub(crate) use exchange::{ArrivingForm, ExchangeAnswer, LeavingChosen, LeavingForm, Stage, ask_arriving, ask_leaving};
 pub(crate) use palette::Palette;
 pub(crate) use place_many::{ask_place_many, default_places};
 pub(crate) use plugin::{PluginForm, Said, ask_plugin, show_last_run};

@@ -85,17 +85,23 @@ fn write(
 pub struct Together(Vec<Staged>);
 
 impl Together {
-    /// Writes a file that will take the name `path`, in place of what has it, with the bytes that `fill` writes as they
+    /// Writes a file that will take the name `path`, over what `over` allows, with the bytes that `fill` writes as they
     /// come: it may be larger than the memory.
     ///
     /// # Errors
-    /// As [`write_atomic`], and those of `fill`.
-    pub fn add(&mut self, path: &Path, fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>) -> Result<(), StorageError> {
+    /// As [`write_over`], and those of `fill`.
+    pub fn add(
+        &mut self,
+        path: &Path,
+        over: Over,
+        fill: impl FnOnce(&mut Sink<'_>) -> io::Result<()>,
+    ) -> Result<(), StorageError> {
         let target = target_of(path);
+        check_free(path, &target, over)?;
         if self.0.is_empty() {
             leftover::sweep(folder_of(&target));
         }
-        self.0.push(Staged::write(path, &target, Over::Anything, fill)?);
+        self.0.push(Staged::write(path, &target, over, fill)?);
         Ok(())
     }
 
@@ -241,7 +247,7 @@ mod tests {
         assert!(write_atomic(folder.path(), b"x").is_err(), "a folder is no file");
         assert!(write_atomic(&folder.path().join("none/b.txt"), b"x").is_err());
         let stopped = |sink: &mut Sink<'_>| sink.write_all(&[0; 100_000]).and(Err(io::ErrorKind::Interrupted.into()));
-        assert!(Together::default().add(&path, stopped).is_err());
+        assert!(Together::default().add(&path, Over::Anything, stopped).is_err());
         assert_eq!(read(&path, 3).expect("readable"), b"two", "as before");
         assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 1, "nothing is left behind");
     }
@@ -252,15 +258,15 @@ mod tests {
         let [a, b] = ["a.txt", "b.txt"].map(|name| folder.path().join(name));
         write_atomic(&b, b"old").expect("writable");
         let mut together = Together::default();
-        together.add(&a, |sink| sink.write_all(b"one")).expect("writable");
+        together.add(&a, Over::Anything, |sink| sink.write_all(b"one")).expect("writable");
         assert!(!a.exists(), "not before all are whole");
-        assert!(together.add(&b, |_| Err(io::ErrorKind::Interrupted.into())).is_err());
+        assert!(together.add(&b, Over::Anything, |_| Err(io::ErrorKind::Interrupted.into())).is_err());
         drop(together);
         assert_eq!(read(&b, 9).expect("readable"), b"old", "as before");
         assert_eq!(fs::read_dir(folder.path()).expect("readable").count(), 1, "nothing is left behind");
         let mut together = Together::default();
-        together.add(&a, |sink| sink.write_all(b"one")).expect("writable");
-        together.add(&b, |sink| sink.write_all(b"two")).expect("writable");
+        together.add(&a, Over::Anything, |sink| sink.write_all(b"one")).expect("writable");
+        together.add(&b, Over::Anything, |sink| sink.write_all(b"two")).expect("writable");
         assert_eq!(together.take_names().expect("writable"), [a.clone(), b.clone()]);
         assert_eq!([a, b].map(|path| read(&path, 9).expect("readable")), [b"one", b"two"]);
     }

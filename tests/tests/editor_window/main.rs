@@ -11,6 +11,7 @@ mod colors;
 mod crowd;
 mod drawing_boxes;
 mod editing;
+mod exchange;
 mod files;
 mod flight_panel;
 mod flying;

@@ -81,8 +81,10 @@ impl Dialogs {
     /// Asks for a path by hand.
     pub(super) fn ask_path(&mut self, ask: Ask) {
         let text = match &ask {
-            Ask::Open => String::new(),
-            Ask::Save(path) | Ask::Export(path) | Ask::SaveScript(path) => path.display().to_string(),
+            Ask::Open | Ask::Arrive => String::new(),
+            Ask::Save(path) | Ask::Export(path) | Ask::Leave(path) | Ask::SaveScript(path) => {
+                path.display().to_string()
+            }
             Ask::AircraftModel(_, scene) => scene.with_file_name("aircraft.glb").display().to_string(),
         };
         self.open(Dialog::Path { ask, text });

@@ -12,7 +12,8 @@ pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Opti
         Ask::Open => ("Open scene", "Open"),
         Ask::Save(_) => ("Save scene as", "Save"),
         Ask::SaveScript(_) => ("Save script as", "Save"),
-        Ask::Export(_) => ("Export as", "Export"),
+        Ask::Export(_) | Ask::Leave(_) => ("Export as", "Export"),
+        Ask::Arrive => ("Import", "Import"),
         Ask::AircraftModel(..) => ("Model of the aircraft", "Choose"),
     };
     window(context, theme::DIALOG_WIDTH, title, None, |ui| {

@@ -177,6 +177,8 @@ impl Editor {
         match command {
             Command::New => self.want(Intent::New, context),
             Command::Open => self.ask(Ask::Open, context),
+            Command::Import => self.ask(Ask::Arrive, context),
+            Command::Export => self.ask_leaving(),
             Command::OpenRecent => self.list_recent(context),
             Command::Save => self.save(context),
             Command::SaveAs => self.save_as(context),

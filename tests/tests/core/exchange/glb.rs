@@ -254,7 +254,7 @@ fn clouds_form_and_drift_as_they_are_drawn() {
     scene.clouds.with_id_mut(forms).expect("there").formation = Some(formation);
     scene.clouds.with_id_mut(formed).expect("there").formed = Some(HowFarFormed { core: 1.0, edges: 1.0 });
     let tracks = [
-        (formed, "formed.core", [(0.0, 0.0), (17.0, 0.4), (40.0, 1.0)]),
+        (formed, "formed/core", [(0.0, 0.0), (17.0, 0.4), (40.0, 1.0)]),
         (fades, "opacity", [(0.0, 0.8), (12.5, 0.3), (40.0, 1.0)]),
     ];
     for (cloud, path, keys) in tracks {
