@@ -136,9 +136,9 @@ commands! {
         OpenRecent: "Open recent…", "Open one of the last ten scenes.", ctrl_shift(Key::O), None;
         Save: "Save", "Save the scene.", ctrl(Key::S), Some(icon::FLOPPY_DISK);
         SaveAs: "Save as…", "Save the scene under another name.", ctrl_shift(Key::S), None;
+        Revert: "Revert…", "Go back to the scene as it was last saved.", NONE, None;
         Import: "Import…", "Bring in what another program made: clouds, weather, or a whole scene.", ctrl(Key::I), None;
         Export: "Export…", "Write the scene for another program: glTF, clouds of flight simulators, weather presets, tables.", ctrl(Key::E), None;
-        Revert: "Revert…", "Go back to the scene as it was last saved.", NONE, None;
         Quit: "Quit", "Close the editor.", ctrl(Key::Q), None;
     }
     Edit {

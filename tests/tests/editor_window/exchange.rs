@@ -61,6 +61,11 @@ fn a_scene_leaves_in_the_format_that_is_chosen() {
     window.choose_format("Sprites as a table (.csv)");
     let table = String::from_utf8(window.export_to(&folder.path().join("sprites.csv"))).expect("text");
     assert_eq!(table.lines().count(), 1 + window.sprites());
+    // A plugin that exports stands there too, and asks for itself.
+    window.command(Command::Export);
+    window.choose_format("Sprite table (plugin)");
+    window.wait("the plugin's own question", |window| window.shows("Units a metre"));
+    window.press("Cancel");
     assert_eq!((window.file(), window.undo_name()), (start, None));
 }
 

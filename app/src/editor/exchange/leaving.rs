@@ -12,6 +12,7 @@ use cloudwright_core::exchange::ExportError;
 use cloudwright_core::scene::Scene;
 use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::Moment;
+use cloudwright_scripts::PluginKind;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -72,8 +73,13 @@ impl Editor {
                 Err(error) => Progress::Choosing(Some(format!("Nothing was written: {error}."))),
             };
         }
+        let library = self.plugins.library();
+        let exporters = library.of_kind(PluginKind::Exporter).into_iter();
+        let exporters: Vec<_> =
+            exporters.map(|(entry, plugin)| (entry.origin.clone(), library.label(&entry.origin, plugin))).collect();
         let form = LeavingForm {
             scene: self.session.scene(),
+            exporters: &exporters,
             clock_s: self.clock.time_s(),
             selected: self.view.selection.clouds().count(),
             stage: asked.stage(context),
@@ -89,6 +95,9 @@ impl Editor {
             Some(ExchangeAnswer::Stop) => asked = Progress::Choosing(None),
             Some(ExchangeAnswer::Close) => return,
             None => {}
+        }
+        if let Some(exporter) = self.leaving.chosen.exporter.take() {
+            return self.ask_plugin(&exporter, context);
         }
         self.leaving.asked = Some(asked);
     }

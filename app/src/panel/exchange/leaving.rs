@@ -1,6 +1,7 @@
 //! As what a scene leaves.
 
 use super::{ExchangeAnswer, Stage, ask, grid, option_rows};
+use crate::plugins::Origin;
 use crate::theme;
 use crate::widget::combo;
 use cloudwright_core::exchange::{Corners, FORMATS, Format, Options, Part};
@@ -20,13 +21,15 @@ pub(crate) struct LeavingChosen {
     pub(crate) camera: Option<CameraId>,
     /// Whether only what is selected leaves.
     pub(crate) only_selected: bool,
+    /// A plugin that is to export instead, which asks for itself.
+    pub(crate) exporter: Option<Origin>,
 }
 
 impl Default for LeavingChosen {
     fn default() -> Self {
         // That which most other programs open.
         let format = FORMATS.iter().find(|format| format.name == "glb").unwrap_or(&FORMATS[0]);
-        Self { format, options: BTreeMap::new(), shaded: false, camera: None, only_selected: false }
+        Self { format, options: BTreeMap::new(), shaded: false, camera: None, only_selected: false, exporter: None }
     }
 }
 
@@ -46,6 +49,8 @@ impl LeavingChosen {
 #[derive(Clone, Copy)]
 pub(crate) struct LeavingForm<'a> {
     pub(crate) scene: &'a Scene,
+    /// Plugins that export.
+    pub(crate) exporters: &'a [(Origin, String)],
     /// Where the scene's clock stands, seconds.
     pub(crate) clock_s: f64,
     /// Clouds that are selected.
@@ -72,17 +77,25 @@ pub(crate) fn ask_leaving(
     })
 }
 
+/// What exports.
+#[derive(Clone)]
+enum By<'a> {
+    Format(&'static Format),
+    Plugin(&'a Origin),
+}
+
 fn rows(ui: &mut Ui, form: &LeavingForm<'_>, chosen: &mut LeavingChosen) {
-    let all: Vec<(&'static Format, String)> = FORMATS
-        .iter()
-        .filter(|format| format.is_written())
-        .map(|format| (format, format!("{} (.{})", format.title, format.endings[0])))
-        .collect();
+    let formats = FORMATS.iter().filter(|format| format.is_written());
+    let title = |format: &Format| format!("{} (.{})", format.title, format.endings[0]);
+    let formats = formats.map(|format| (By::Format(format), title(format)));
+    let plugins = form.exporters.iter().map(|(origin, name)| (By::Plugin(origin), format!("{name} (plugin)")));
+    let all: Vec<(By<'_>, String)> = formats.chain(plugins).collect();
     ui.label("Format");
-    let shown = |format: &&'static Format| format.name == chosen.format.name;
-    let text = all.iter().find(|(format, _)| shown(format)).map_or("", |(_, text)| text);
-    if let Some(format) = combo(ui, "Format", "", text, &all, shown) {
-        chosen.format = format;
+    let shown = |by: &By<'_>| matches!(by, By::Format(format) if format.name == chosen.format.name);
+    match combo(ui, "Format", "", &title(chosen.format), &all, shown) {
+        Some(By::Format(format)) => chosen.format = format,
+        Some(By::Plugin(origin)) => chosen.exporter = Some(origin.clone()),
+        None => {}
     }
     ui.end_row();
     let mut options = chosen.options();
