@@ -67,8 +67,29 @@ pub(crate) struct Copy {
 /// # Errors
 /// If it can't be written, or another file has the name of one to copy; what was there before is then untouched.
 pub fn save(scene: &Scene, from: Option<&Path>, path: &Path, over: Over) -> Result<Saved, SaveError> {
+    save_copying(scene, to_copy(scene, from, path)?, path, over)
+}
+
+/// As [`save`], where `file`, which `scene` names, came into it from wherever it lies.
+///
+/// # Errors
+/// As [`save`].
+pub(crate) fn save_with(
+    scene: &Scene,
+    from: Option<&Path>,
+    file: &Path,
+    path: &Path,
+    over: Over,
+) -> Result<Saved, SaveError> {
+    let is_it = |named: &Named| file.file_name().is_some_and(|name| name == named.name.as_str());
+    let (came, others): (Vec<Named>, Vec<Named>) = opening::named(scene).into_iter().partition(is_it);
+    let mut copies = missing(came, Some(file), path)?;
+    copies.extend(missing(others, from, path)?);
+    save_copying(scene, copies, path, over)
+}
+
+fn save_copying(scene: &Scene, copies: Vec<Copy>, path: &Path, over: Over) -> Result<Saved, SaveError> {
     let text = scene_file::write(scene)?;
-    let copies = to_copy(scene, from, path)?;
     let mut done = Vec::new();
     // The scene comes last: whoever sees it finds what it needs.
     let copied = copies.iter().try_for_each(|copy| {
@@ -124,9 +145,14 @@ pub(crate) fn in_use(scene: &Scene, file: &Path, path: &Path) -> Option<String> 
 /// # Errors
 /// If a file that differs has one of the names.
 pub(crate) fn to_copy(scene: &Scene, from: Option<&Path>, path: &Path) -> Result<Vec<Copy>, SaveError> {
+    missing(opening::named(scene), from, path)
+}
+
+/// Which of the files that lie beside `from` are missing beside `path`.
+fn missing(named: Vec<Named>, from: Option<&Path>, path: &Path) -> Result<Vec<Copy>, SaveError> {
     let mut copies = Vec::new();
     let Some(from) = from else { return Ok(copies) };
-    for Named { what, name, max_bytes } in opening::named(scene) {
+    for Named { what, name, max_bytes } in named {
         let [source, to] = [from, path].map(|scene| scene.with_file_name(&name));
         if FileId::of(&source) == FileId::of(&to) {
             continue;

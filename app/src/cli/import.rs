@@ -12,7 +12,7 @@ use crate::state::empty_sky;
 use crate::storage::FileId;
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
-use cloudwright_core::exchange::{Arrived, Content};
+use cloudwright_core::exchange::{Arrived, ArrivedModel, Content, Note};
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::Patience;
 use glam::DVec3;
@@ -24,11 +24,13 @@ use std::time::Instant;
   cloudwright import cumulus.cld -o cumulus.cloudscene
   cloudwright import cumulus.cld sky.cloudscene -o more.cloudscene --at 2000,1200,-500
   cloudwright import Thunderstorms.WPR -o storm.cloudscene --seed 3
+  cloudwright import jet.glb sky.cloudscene -o flown.cloudscene
 
 The file's ending chooses the format, or else --format does; `cloudwright formats` lists them, with what each carries and
 what can be set of it. What could not be carried, and what the file does not say and was taken, is said on stderr. Without
 SCENE, what comes in stands alone under an empty day's sky. A weather preset's clouds are made by the plugins that ship, as
-many as cover the sky as it says, measured from below; they take the place of those that are there.")]
+many as cover the sky as it says, measured from below; they take the place of those that are there. A glTF model that was
+not exported from here becomes an aircraft on the scene's first path; its file is copied beside the scene that is written.")]
 pub(super) struct Arguments {
     /// File to import; its ending chooses the format
     file: PathBuf,
@@ -73,7 +75,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         None => empty_sky(),
     };
     check_output(arguments, &scene)?;
-    let Arrived { content, notes } = read(file, format, &options).map_err(|error| match error {
+    let Arrived { content, mut notes } = read(file, format, &options).map_err(|error| match error {
         ReadError::Storage(error) => error.into(),
         misread @ ReadError::Misread { .. } => {
             let hint = format!("it was read as {}, {}; --format reads it otherwise", format.name, format.title);
@@ -81,8 +83,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         }
     })?;
     let mut document = Document::new(scene);
-    let said = take(arguments, &mut document, &content)?;
-    input::save_scene(document.scene(), arguments.scene.as_deref(), output, arguments.force)?;
+    let said = take(arguments, &mut document, &content, &mut notes)?;
+    match content {
+        Content::Model(_) => {
+            let from = (arguments.scene.as_deref(), file.as_path());
+            input::save_scene_with(document.scene(), from, output, arguments.force)?;
+        }
+        _ => input::save_scene(document.scene(), arguments.scene.as_deref(), output, arguments.force)?,
+    }
     if arguments.json {
         let files = vec![output.display().to_string()];
         return answer(&info::json_text(&Answer { format: format.name, files, notes: &notes })?);
@@ -93,17 +101,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
 }
 
 /// Puts what came in into the document, and says what that was.
-fn take(arguments: &Arguments, document: &mut Document, content: &Content) -> Result<Vec<String>, Failure> {
+fn take(
+    arguments: &Arguments,
+    document: &mut Document,
+    content: &Content,
+    notes: &mut Vec<Note>,
+) -> Result<Vec<String>, Failure> {
     if let (Content::Scene(scene), None) = (content, &arguments.scene) {
         *document = Document::new(Scene::clone(scene));
         return Ok(vec![format!("the whole scene, {}", counted(scene.clouds.len(), "cloud", "clouds"))]);
     }
+    let file_name = arguments.file.file_name().unwrap_or_default();
+    let file_name = file_name.to_str().ok_or_else(|| {
+        Failure::argument(format!("{}: its name is no text", arguments.file.display()), "give it another name")
+    })?;
     let Arguments { at, seed, keep_clouds: keeps_clouds, .. } = *arguments;
     let progress = Progress::start_stoppable("making the sky");
     let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + MOST_TIME) };
-    let came = come_in(document, content, &Placing { at, seed, keeps_clouds }, &patience);
+    let came = come_in(document, content, &Placing { file_name, at, seed, keeps_clouds }, &patience);
     drop(progress);
-    let CameIn { models, clouds, layers } = came.map_err(|error| match error {
+    let CameIn { models, clouds, layers, aircraft, notes: taken } = came.map_err(|error| match error {
         ComeInError::Make(MakeError::Plugin { plugin, error }) => plugin_failure(plugin, &error),
         ComeInError::Make(broken) => Failure::could_not(broken.to_string(), "report this"),
         ComeInError::Edit(error) => Failure::argument(error.to_string(), "nothing is written; choose another --at"),
@@ -111,6 +128,14 @@ fn take(arguments: &Arguments, document: &mut Document, content: &Content) -> Re
             Failure::argument(format!("{}: {whole}", arguments.file.display()), "leave the other scene out")
         }
     })?;
+    notes.extend(taken);
+    if let Some(ArrivedModel { size, triangles, .. }) = aircraft {
+        let [width, height, length] = size.to_array();
+        let triangles = counted(triangles, "triangle", "triangles");
+        return Ok(vec![format!(
+            "an aircraft of {triangles}, {width:.1} m wide, {height:.1} m high, {length:.1} m long"
+        )]);
+    }
     Ok(match content {
         Content::Weather(_) if layers.is_empty() => vec!["the preset has no clouds".into()],
         Content::Weather(_) => layers.iter().map(layer_line).collect(),

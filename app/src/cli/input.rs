@@ -3,7 +3,7 @@
 use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::say;
-use crate::saving::{self, SaveError};
+use crate::saving::{self, SaveError, Saved};
 use crate::storage::{self, Over, StorageError};
 use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::scene::{Camera, CameraPath, Scene};
@@ -79,12 +79,29 @@ pub(super) fn check_scene_name(output: &Path) -> Result<(), Failure> {
 /// Saves a scene that was read from the file `from`, if from any; over a file that is there only by `force`. What it
 /// names is copied along.
 pub(super) fn save_scene(scene: &Scene, from: Option<&Path>, output: &Path, force: bool) -> Result<(), Failure> {
-    let over = if force { Over::Anything } else { Over::Nothing };
-    let saved = saving::save(scene, from, output, over).map_err(save_failure)?;
+    tell_copied(&saving::save(scene, from, output, over(force)).map_err(save_failure)?);
+    Ok(())
+}
+
+/// The same, where `file`, which the scene names, came into it.
+pub(super) fn save_scene_with(
+    scene: &Scene,
+    (from, file): (Option<&Path>, &Path),
+    output: &Path,
+    force: bool,
+) -> Result<(), Failure> {
+    tell_copied(&saving::save_with(scene, from, file, output, over(force)).map_err(save_failure)?);
+    Ok(())
+}
+
+fn over(force: bool) -> Over {
+    if force { Over::Anything } else { Over::Nothing }
+}
+
+fn tell_copied(saved: &Saved) {
     if !saved.copied.is_empty() {
         say(&format!("copied beside it: {}", saved.copied.join(", ")));
     }
-    Ok(())
 }
 
 /// Why a scene can't be saved.

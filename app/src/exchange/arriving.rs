@@ -3,7 +3,9 @@
 use crate::reports::{MadeLayer, MakeError, Making, make_sky};
 use crate::storage::{self, StorageError};
 use cloudwright_core::document::{Document, EditError};
-use cloudwright_core::exchange::{Arrived, ArrivedCloud, Arriving, ChoiceError, Content, Format, HEAD_BYTES, Options};
+use cloudwright_core::exchange::{
+    Arrived, ArrivedCloud, ArrivedModel, Arriving, ChoiceError, Content, Format, HEAD_BYTES, Note, Options,
+};
 use cloudwright_core::formats::Misread;
 use cloudwright_core::reported::Sky;
 use cloudwright_core::scene::CloudId;
@@ -61,7 +63,9 @@ pub fn read(path: &Path, format: &Format, options: &Options) -> Result<Arrived, 
 
 /// How what came in is put into a scene.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Placing {
+pub struct Placing<'a> {
+    /// The file's name, by which a scene names the model that it is, beside its own file.
+    pub file_name: &'a str,
     /// Where clouds are put, metres in the world.
     pub at: DVec3,
     /// Of weather: another one is another sky.
@@ -79,6 +83,10 @@ pub struct CameIn {
     pub clouds: Vec<CloudId>,
     /// A sky's layers.
     pub layers: Vec<MadeLayer>,
+    /// What flies.
+    pub aircraft: Option<ArrivedModel>,
+    /// What was taken, as the file does not say it.
+    pub notes: Vec<Note>,
 }
 
 /// Why nothing came in.
@@ -95,17 +103,17 @@ pub enum ComeInError {
     Whole,
 }
 
-/// Puts clouds or weather into `document`: one undo point, or nothing.
+/// Puts clouds, weather or a model into `document`: one undo point, or nothing.
 ///
 /// # Errors
 /// If it is a whole scene, if the scene can't take it, and if `patience` has an end.
 pub fn come_in(
     document: &mut Document,
     content: &Content,
-    placing: &Placing,
+    placing: &Placing<'_>,
     patience: &Patience,
 ) -> Result<CameIn, ComeInError> {
-    let Placing { at, seed, keeps_clouds } = *placing;
+    let Placing { file_name, at, seed, keeps_clouds } = *placing;
     match content {
         Content::Scene(_) => Err(ComeInError::Whole),
         Content::Weather(preset) => {
@@ -113,6 +121,11 @@ pub fn come_in(
             let making = Making { speed: 1.0, seed, keeps_clouds, moves_site: false, date: None };
             let made = make_sky(document, "Weather from a preset", sky, &making, patience)?;
             Ok(CameIn { layers: made.layers, ..CameIn::default() })
+        }
+        Content::Model(model) => {
+            let (edits, notes) = model.fly(document.scene(), file_name, at);
+            document.edit("Import", edits)?;
+            Ok(CameIn { aircraft: Some(model.clone()), notes, ..CameIn::default() })
         }
         Content::Clouds(clouds) => {
             let (edits, placed) = ArrivedCloud::place_all(clouds, document.scene(), at);

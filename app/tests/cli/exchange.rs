@@ -44,6 +44,43 @@ fn a_file_beside_the_one_asked_for_is_no_input_either() {
     place.refuses("export sky_2.cld -o sky.cld", 2, &["sky_2.cld", "the scene itself", "another name"]);
 }
 
+/// The text and the sheet beside it come together, or neither does.
+#[test]
+fn a_stage_comes_with_its_sheet() {
+    let place = Place::new();
+    place.does("export good.cloudscene -o sky.usda");
+    assert_eq!(place.files(), ["good.cloudscene", "sky.usda", "sky_atlas.png"]);
+    place.does("export good.cloudscene -o sky.usdz");
+    let place = Place::new();
+    std::fs::create_dir(place.path("sky_atlas.png")).expect("a folder");
+    place.refuses("export good.cloudscene -o sky.usda", 3, &["sky_atlas.png", "it is a folder"]);
+}
+
+#[test]
+fn a_model_from_elsewhere_flies_and_lies_beside_the_scene() {
+    let place = Place::new();
+    std::fs::create_dir(place.path("models")).expect("a folder");
+    place.put("models/jet.glb", include_bytes!("../../../assets/models/aircraft.glb"));
+    let said = place.does("import models/jet.glb good.cloudscene -o flown.cloudscene");
+    assert!(said.contains("an aircraft of ") && said.contains("copied beside it: jet.glb"), "{said}");
+    assert_eq!(place.read("jet.glb"), place.read("models/jet.glb"));
+    assert_eq!(place.run("check flown.cloudscene").code, 0);
+    let scene: Value = serde_json::from_slice(&place.read("flown.cloudscene")).expect("JSON");
+    assert_eq!(scene["scene"]["aircraft"][0]["model"], "jet.glb");
+    // Beside the scene already: nothing is copied, and once more it is another aircraft.
+    let said = place.does("import jet.glb flown.cloudscene -o two.cloudscene");
+    assert!(!said.contains("copied"), "{said}");
+    // Another file of that name is not replaced, nor is anything written.
+    place.put("models/jet.glb", &[&place.read("jet.glb")[..], b" "].concat());
+    place.refuses(
+        "import models/jet.glb -o three.cloudscene",
+        2,
+        &["jet.glb", "another file", "choose another folder"],
+    );
+    place.put("bad.glb", b"glTF\x02\0\0\0\x1c\0\0\0\x02\0\0\0JSON{}\0\0\0\0BIN\0");
+    place.refuses("import bad.glb -o three.cloudscene", 2, &["bad.glb: its model: ", "no triangles"]);
+}
+
 const PRESETS: [(&str, &[u8], std::ops::RangeInclusive<f64>); 3] = [
     ("Fog.WPR", include_bytes!("../../../tests/wpr/Fog.WPR"), 7.0..=8.0),
     ("Soaring.WPR", include_bytes!("../../../tests/wpr/Soaring-Ridge.WPR"), 2.2..=4.2),

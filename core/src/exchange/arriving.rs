@@ -1,6 +1,6 @@
-//! What a reader is given, and what it makes of a file: clouds for a scene, or a sky.
+//! What a reader is given, and what it makes of a file: clouds for a scene, a model of what flies there, or a sky.
 
-use super::{Note, Options};
+use super::{ArrivedModel, Note, Options};
 use crate::arrange::{Names, copy_model};
 use crate::document::{Edit, ListEdit};
 use crate::formats::wpr::Preset;
@@ -32,6 +32,8 @@ pub struct Arrived {
 pub enum Content {
     /// Models, each with the places where it stands.
     Clouds(Vec<ArrivedCloud>),
+    /// The shape of an aircraft: the file itself stays beside the scene, which names it.
+    Model(ArrivedModel),
     /// A whole scene.
     Scene(Box<Scene>),
     /// Weather to make a sky of, whose clouds plugins place.

@@ -5,6 +5,7 @@
 //! those values mean for a scene is said here. What a scene has and a format does not carry follows from the table
 //! ([`Format::left_out`]); what else was lost on the way, a writer or reader tells as [`Note`]s.
 
+mod arrived_model;
 mod arriving;
 mod cld;
 mod cry_cloud;
@@ -13,15 +14,22 @@ mod format;
 pub mod glb;
 mod leaving;
 mod left_sprites;
+pub mod motion;
 mod options;
 mod part;
 mod placed_by_hand;
+mod quads;
+mod sampled;
+mod sheet;
 mod shorts;
 mod sprites;
+mod sun;
 mod table;
 mod tiles;
+mod usd;
 mod wpr;
 
+pub use arrived_model::ArrivedModel;
 pub use arriving::{Arrived, ArrivedCloud, Arriving, Content};
 pub use format::{ChoiceError, Corners, Format, HEAD_BYTES};
 pub use leaving::{ExportError, Files, Leaving, Note, NoteKind, numbered};

@@ -2,7 +2,7 @@
 
 use super::format::Corners;
 use super::format::{Reader, to_read, to_write};
-use super::{ChoiceError, Format, Part, cld, cry_cloud, flightgear, glb, sprites, wpr};
+use super::{ChoiceError, Format, Part, cld, cry_cloud, flightgear, glb, sprites, usd, wpr};
 use crate::formats;
 
 /// All of them, in the order in which they are listed.
@@ -52,6 +52,18 @@ pub static FORMATS: &[Format] = &[
         read_options: &[],
         write: Some(glb::write),
         read: Some(Reader { read: glb::read, knows: glb::looks_like, max_bytes: glb::MAX_BYTES }),
+    },
+    Format {
+        name: "usd",
+        title: "OpenUSD",
+        endings: &["usda", "usdz"],
+        about: "clouds, cameras and flights for Blender, Houdini and renderers; as text with the sheet beside it, or in one file",
+        carries: &[Part::Sprites, Part::Formation, Part::Motion, Part::Atlas, Part::Light, Part::Cameras, Part::Paths],
+        corners: Corners::Always,
+        write_options: usd::WRITE_OPTIONS,
+        read_options: &[],
+        write: Some(usd::write),
+        read: None,
     },
     Format {
         name: "cld",

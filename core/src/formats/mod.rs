@@ -10,6 +10,8 @@ pub mod pretty_json;
 pub mod scene_file;
 pub mod sprites_csv;
 pub mod sprites_json;
+pub mod stored_zip;
+pub mod usda;
 pub mod wpr;
 pub mod xml;
 

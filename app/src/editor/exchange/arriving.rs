@@ -13,6 +13,7 @@ use cloudwright_core::exchange::{Arrived, Content, Format, Note, Options};
 use cloudwright_core::scene::Scene;
 use cloudwright_core::watch::Watch;
 use cloudwright_scripts::{Fault, Patience};
+use glam::DVec3;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::Instant;
@@ -40,7 +41,11 @@ struct Request {
     format: &'static Format,
     options: Options,
     scene: Arc<Scene>,
-    placing: Placing,
+    at: DVec3,
+    seed: u64,
+    keeps_clouds: bool,
+    /// Whether it lies where a scene can name it.
+    is_beside: bool,
 }
 
 /// What came, with what could not; none if it was stopped.
@@ -59,7 +64,7 @@ impl Arriving {
 }
 
 fn carry_out(request: Request, watch: &Watch) -> Outcome {
-    let Request { path, format, options, scene, placing } = request;
+    let Request { path, format, options, scene, at, seed, keeps_clouds, is_beside } = request;
     let arrived = read(&path, format, &options).map_err(|error| match error {
         ReadError::Misread { misread, .. } => format!("{misread}, read as {}", format.title),
         ReadError::Storage(error) => error.to_string(),
@@ -68,10 +73,19 @@ fn carry_out(request: Request, watch: &Watch) -> Outcome {
     if let Content::Scene(scene) = content {
         return Ok(Some((Came::Whole(scene), notes)));
     }
+    if matches!(content, Content::Model(_)) && !is_beside {
+        return Err(
+            "it is the model of an aircraft, which has to lie beside the scene's file; copy it there first".into()
+        );
+    }
+    let file_name = path.file_name().and_then(|name| name.to_str()).ok_or("its name is no text")?;
+    let placing = Placing { file_name, at, seed, keeps_clouds };
     let mut document = Document::new(Scene::clone(&scene));
     let patience = Patience { cancelled: watch.cancelled(), until: Some(Instant::now() + MOST_TIME) };
     match come_in(&mut document, &content, &placing, &patience) {
-        Ok(came) => {
+        Ok(mut came) => {
+            let mut notes = notes;
+            notes.append(&mut came.notes);
             let name = document.undo_name().unwrap_or_default().to_owned();
             Ok(Some((Came::Edits(name, document.last_edits(), came), notes)))
         }
@@ -145,18 +159,16 @@ impl Editor {
     }
 
     fn begin_arriving(&mut self, asked: &mut Asked, context: &egui::Context) {
-        let placing = Placing {
-            at: self.viewport.looked_at(),
-            seed: self.arriving.seed,
-            keeps_clouds: self.arriving.keeps_clouds,
-        };
         asked.before = self.session.document().mark();
         let request = Request {
             path: asked.path.clone(),
             format: asked.format,
             options: asked.options.clone(),
             scene: Arc::new(self.session.scene().clone()),
-            placing,
+            at: self.viewport.looked_at(),
+            seed: self.arriving.seed,
+            keeps_clouds: self.arriving.keeps_clouds,
+            is_beside: self.lies_beside(&asked.path),
         };
         asked.progress = Progress::begin(request, carry_out, context);
     }
@@ -177,6 +189,9 @@ fn told(came: &CameIn) -> Vec<String> {
     };
     if !came.layers.is_empty() {
         return came.layers.iter().map(layer).collect();
+    }
+    if let Some(model) = &came.aircraft {
+        return vec![format!("an aircraft of {}", counted(model.triangles, "triangle"))];
     }
     match (came.models, came.clouds.len()) {
         (0, 0) => vec!["no clouds".into()],

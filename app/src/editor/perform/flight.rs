@@ -103,11 +103,16 @@ impl Editor {
         }
     }
 
+    /// Whether a file lies in the scene's folder, where the scene can name it.
+    pub(in crate::editor) fn lies_beside(&self, file: &Path) -> bool {
+        let folder = |path: &Path| std::path::absolute(path).ok()?.parent()?.canonicalize().ok();
+        self.session.path().and_then(folder).is_some_and(|beside| folder(file) == Some(beside))
+    }
+
     /// Gives an aircraft the model of that file.
     pub(in crate::editor) fn use_model(&mut self, id: AircraftId, file: &Path) {
         let Some(aircraft) = self.session.scene().aircraft.with_id(id) else { return };
-        let folder = |path: &Path| std::path::absolute(path).ok()?.parent()?.canonicalize().ok();
-        let is_beside = self.session.path().and_then(folder).is_some_and(|beside| folder(file) == Some(beside));
+        let is_beside = self.lies_beside(file);
         let name = file.file_name().and_then(|name| name.to_str());
         match name.filter(|_| is_beside && file.is_file()) {
             Some(name) => {

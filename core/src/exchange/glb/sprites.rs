@@ -1,11 +1,11 @@
 //! Clouds as nodes, their sprites as instances of a quad a tile, or as one mesh a cloud.
 
 use super::container::{Buffer, Use};
-use super::{INSTANCING, Leaving, Nodes, motion, push, sheet};
-use crate::color::Rgba;
-use crate::facing::Pose;
-use crate::posed_sprite::{PosedSprite, Still};
-use crate::weather::{CloudNow, Formed};
+use super::{INSTANCING, Leaving, Nodes, material, push};
+use crate::exchange::motion::{Course, share_formed};
+use crate::exchange::quads::{Quad, quads, too_bright};
+use crate::exchange::tiles;
+use crate::posed_sprite::Still;
 use glam::{Mat3, Quat, Vec3};
 use serde_json::{Value, json};
 use std::collections::BTreeMap;
@@ -29,34 +29,25 @@ pub(super) struct CloudNode {
     pub(super) material: Option<usize>,
 }
 
-/// A sprite as a quad.
-struct Quad {
-    tile: u8,
-    /// From the cloud's origin, metres.
-    center: Vec3,
-    /// Top left first, clockwise, from the cloud's origin.
-    corners: [Vec3; 4],
-    colors: [[f32; 4]; 4],
-}
-
+/// Adds the clouds, whose courses are given in their order; none if the watch is cancelled.
 pub(super) fn write(
     root: &mut Value,
     buffer: &mut Buffer,
     nodes: &mut Nodes,
     leaving: &Leaving<'_>,
-    (still, plain, times_s): (Still<'_>, bool, &[f64]),
+    (still, plain): (Still<'_>, bool),
+    courses: &[Course],
 ) -> Option<Written> {
     let Leaving { now, watch, .. } = *leaving;
     let mut meshes = Meshes { root, buffer, tiles: BTreeMap::new() };
     let mut written = Written::default();
     let mut far_to_near: Vec<(f32, usize)> = Vec::new();
     watch.expect(now.clouds.len() as u64);
-    for cloud in watch.along(1, &now.clouds) {
-        let forms = motion::forms(cloud.placed, leaving, times_s);
+    for (cloud, course) in watch.along(1, &now.clouds).zip(courses) {
+        let forms = !course.formed.is_empty();
         let material = forms.then(|| meshes.material(&cloud.placed.name, f64::from(share_formed(cloud))));
-        // What its material says of all of it, its sprites don't say again.
-        let whole = CloudNow { formed: Formed::WHOLE, opacity: 1.0, ..cloud.clone() };
-        let quads = quads(if forms { &whole } else { cloud }, still, now.exposure, &mut written.clipped);
+        let quads = quads(cloud, forms, still, now.exposure);
+        written.clipped += too_bright(&quads);
         let mut node = json!({ "name": cloud.placed.name, "translation": cloud.origin().to_array() });
         if plain {
             if !quads.is_empty() {
@@ -82,43 +73,6 @@ pub(super) fn write(
     Some(written)
 }
 
-/// How much of a cloud there is, 0 to 1: by its sprites' areas, up to 64 of them.
-pub(super) fn share_formed(cloud: &CloudNow<'_>) -> f32 {
-    const LOOKS: usize = 64;
-    let sprites = &cloud.placed.sprites;
-    let step = sprites.len().div_ceil(LOOKS).max(1);
-    let (mut share, mut all) = (0.0, 0.0);
-    for sprite in sprites.iter().step_by(step) {
-        let area = sprite.width * sprite.height;
-        share += area * cloud.opacity_at(cloud.placed.radii_of(sprite.position));
-        all += area;
-    }
-    if all > 0.0 { (share / all).clamp(0.0, 1.0) } else { 1.0 }
-}
-
-/// The sprites of a cloud from the farthest to the nearest.
-fn quads(cloud: &CloudNow<'_>, still: Still<'_>, exposure: f32, clipped: &mut usize) -> Vec<Quad> {
-    let mut quads: Vec<Quad> = (0..cloud.placed.sprites.len())
-        .map(|index| {
-            let sprite = cloud.sprite_now(index);
-            // Nothing fades before a camera that leaves its place.
-            let towards_eye = cloud.from_eye(still.view.eye) + sprite.position;
-            let pose = Pose::facing_eye(towards_eye, still.view.up);
-            let posed = PosedSprite::new(cloud, index, pose, still.light);
-            let colors = posed.corners(Vec3::ZERO).map(|offset| {
-                let Rgba { rgb, a } = posed.light_at(offset).color();
-                let [r, g, b] = (rgb * exposure).to_array();
-                *clipped += usize::from(r.max(g).max(b) > 1.0);
-                [r, g, b, a]
-            });
-            Quad { tile: sprite.tile, center: sprite.position, corners: posed.corners(sprite.position), colors }
-        })
-        .collect();
-    let eye = cloud.from_eye(still.view.eye);
-    quads.sort_by(|a, b| (b.center + eye).length().total_cmp(&(a.center + eye).length()));
-    quads
-}
-
 /// The file's meshes and materials.
 struct Meshes<'a> {
     root: &'a mut Value,
@@ -129,7 +83,7 @@ struct Meshes<'a> {
 
 impl Meshes<'_> {
     fn material(&mut self, name: &str, alpha: f64) -> usize {
-        push(self.root, "materials", sheet::material(name, alpha))
+        push(self.root, "materials", material::material(name, alpha))
     }
 
     /// One mesh of all quads.
@@ -202,7 +156,7 @@ impl Meshes<'_> {
 const QUAD: [u32; 6] = [0, 3, 2, 0, 2, 1];
 
 fn tile_corners(tile: u8) -> [[f32; 2]; 4] {
-    let [left, top, right, bottom] = sheet::tile_rectangle(tile);
+    let [left, top, right, bottom] = tiles::edges(tile);
     [[left, top], [right, top], [right, bottom], [left, bottom]]
 }
 

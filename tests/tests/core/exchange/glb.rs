@@ -2,10 +2,11 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::document::Document;
 use cloudwright_core::exchange::Content;
-use cloudwright_core::exchange::glb::{TOLERANCE_DEG, TOLERANCE_M, TOLERANCE_OPACITY};
+use cloudwright_core::exchange::motion::{TOLERANCE_DEG, TOLERANCE_M, TOLERANCE_OPACITY};
 use cloudwright_core::flight::PathCurve;
-use cloudwright_core::formats::{Misread, scene_file};
+use cloudwright_core::formats::{Misread, model_glb, scene_file};
 use cloudwright_core::posed_sprite::Still;
 use cloudwright_core::scene::{
     Cloud, CloudId, Formation, FormationChange, HowFarFormed, KeyValue, Scene, Track, TrackId, TrackKey,
@@ -13,9 +14,9 @@ use cloudwright_core::scene::{
 use cloudwright_core::weather::{Light, WeatherRules};
 use cloudwright_tests::small_scenes::{everything, heap};
 use glam::{DVec3, Quat, Vec3};
-use serde_json::Value;
+use serde_json::{Value, json};
 
-fn shipped_scenes() -> Vec<(String, Scene)> {
+pub(super) fn shipped_scenes() -> Vec<(String, Scene)> {
     let folder = std::fs::read_dir(cloudwright_tests::root().join("assets/scenes")).expect("scenes ship");
     let mut paths: Vec<_> = folder.map(|entry| entry.expect("readable").path()).collect();
     paths.sort();
@@ -308,8 +309,74 @@ fn what_is_no_file_of_ours_says_so() {
         let error = back(&good[..cut]).expect_err("cut off").to_string();
         assert!(error.contains("cut off"), "{error}");
     }
+}
+
+/// A binary glTF file of that text, and of so many bytes that it speaks of.
+fn by_hand(root: &Value, binary: usize) -> Vec<u8> {
+    let mut text = root.to_string().into_bytes();
+    text.resize(text.len().next_multiple_of(4), b' ');
+    let number = |number: usize| (number as u32).to_le_bytes();
+    let mut file = [&b"glTF"[..], &number(2), &number(28 + text.len() + binary), &number(text.len()), b"JSON"].concat();
+    file.extend(text);
+    file.extend([&number(binary)[..], b"BIN\0"].concat());
+    file.resize(file.len() + binary, 0);
+    file
+}
+
+/// One triangle, of which a test changes something.
+fn triangle() -> Value {
+    json!({
+        "asset": { "version": "2.0" }, "scene": 0, "scenes": [{ "nodes": [0] }], "nodes": [{ "mesh": 0 }],
+        "meshes": [{ "primitives": [{ "attributes": { "POSITION": 0 } }] }],
+        "accessors": [{ "bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3" }],
+        "bufferViews": [{ "buffer": 0, "byteLength": 36 }],
+        "buffers": [{ "byteLength": 36 }],
+    })
+}
+
+#[test]
+fn a_model_from_elsewhere_flies() {
     let plane = std::fs::read(cloudwright_tests::root().join("assets/models/aircraft.glb")).expect("it ships");
-    assert!(back(&plane).expect_err("no scene of ours").to_string().contains("only what was exported from here"));
+    let Content::Model(model) = super::arrived(&plane, "jet.glb", &[]).expect("a model").content else { panic!() };
+    let mesh = model_glb::read(&plane).expect("sound");
+    assert_eq!(model.triangles * 3, mesh.vertices().len());
+    for scene in [Scene::default(), everything()] {
+        let mut document = Document::new(scene.clone());
+        let (edits, notes) = model.fly(&scene, "jet.glb", DVec3::new(100.0, 900.0, -50.0));
+        document.edit("Import", edits).expect("it fits");
+        let after = document.scene();
+        let aircraft = after.aircraft.iter().last().expect("one more");
+        assert_eq!((after.aircraft.len(), aircraft.model.as_deref()), (scene.aircraft.len() + 1, Some("jet.glb")));
+        assert_eq!(aircraft.path, after.paths[0].id, "{notes:?}");
+        assert_eq!(after.paths.len(), scene.paths.len().max(1), "a path only where there is none");
+        document.undo();
+        assert_eq!(document.scene(), &scene, "one step");
+    }
+    let (edits, _) = model.fly(&Scene::default(), "../jet.glb", DVec3::ZERO);
+    let error = Document::new(Scene::default()).edit("Import", edits).expect_err("elsewhere").to_string();
+    assert!(error.contains("“../jet.glb” doesn't lie beside the scene file"), "{error}");
+}
+
+#[test]
+fn models_that_cannot_come_in_are_told() {
+    for (pointer, value, wanted) in [
+        ("/buffers/0/uri", json!("https://example.org/a.bin"), "needs the file “https://example.org/a.bin”"),
+        ("/buffers/0/uri", json!("../../etc/passwd"), "needs the file “../../etc/passwd”"),
+        ("/buffers/0/uri", json!("data:application/octet-stream;base64,%%"), "buffer 0 is no base64"),
+        ("/accessors/0/count", json!(4), "accessor 0 reaches beyond its data"),
+        ("/accessors/0/count", json!(u64::MAX), "more than 2000000 vertices"),
+        ("/bufferViews/0/byteLength", json!(u64::MAX), "accessor 0 reaches beyond its data"),
+        ("/nodes/0/children", json!([0]), "node 0 has two parents"),
+        ("/meshes/0/primitives", json!([]), "no triangles"),
+    ] {
+        let mut root = triangle();
+        let (parent, key) = pointer.rsplit_once('/').expect("a pointer");
+        root.pointer_mut(parent).expect("it is there")[key] = value;
+        let error = super::arrived(&by_hand(&root, 36), "a.glb", &[]).expect_err(pointer).to_string();
+        assert!(error.starts_with("its model: ") && error.contains(wanted), "{error}");
+    }
+    let sound = super::arrived(&by_hand(&triangle(), 36), "a.glb", &[]).expect("sound");
+    assert!(matches!(sound.content, Content::Model(model) if model.triangles == 1));
 }
 
 #[test]

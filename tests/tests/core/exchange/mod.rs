@@ -5,6 +5,7 @@ mod cry_cloud;
 mod flightgear;
 mod glb;
 mod mutated;
+mod usd;
 mod wpr;
 mod xml;
 
@@ -107,6 +108,8 @@ fn endings_choose_formats() {
         ("SKY.CSV", Some("csv")),
         ("a.b.cld", Some("cld")),
         ("a.glb", Some("glb")),
+        ("a.usda", Some("usd")),
+        ("a.USDZ", Some("usd")),
         ("Fog.WPR", Some("wpr")),
         ("a.xml", Some("cryengine")),
         ("cloudlayers.xml", Some("flightgear")),

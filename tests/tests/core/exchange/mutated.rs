@@ -2,6 +2,7 @@
 //! have bytes for.
 
 use super::{arrived, cld, cry_cloud, flightgear, left, scene_of, wpr};
+use cloudwright_core::document::Document;
 use cloudwright_core::exchange::Content;
 use cloudwright_core::problem::{self, Severity};
 use cloudwright_core::reported::Sky;
@@ -94,6 +95,11 @@ fn check(bytes: &[u8], name: &str) {
                 let errors = problem::check(&scene).into_iter().filter(|each| each.severity == Severity::Error);
                 assert_eq!(errors.collect::<Vec<_>>(), []);
             }
+            Content::Model(model) => {
+                assert!(model.triangles > 0 && model.size.is_finite());
+                let (edits, _) = model.fly(&Scene::default(), "a.glb", DVec3::ZERO);
+                Document::new(Scene::default()).edit("Import", edits).expect("it fits");
+            }
             Content::Scene(scene) => {
                 let errors = problem::check(scene).into_iter().filter(|each| each.severity == Severity::Error);
                 assert_eq!(errors.collect::<Vec<_>>(), []);
@@ -109,6 +115,7 @@ fn check(bytes: &[u8], name: &str) {
 }
 
 static GLB: LazyLock<Vec<u8>> = LazyLock::new(|| left(&heap(2), "a.glb", &[]));
+const MODEL: &[u8] = include_bytes!("../../../../assets/models/aircraft.glb");
 
 proptest! {
     #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::with_cases(2000) })]
@@ -116,6 +123,12 @@ proptest! {
     #[test]
     fn glb_files(changes in changes()) {
         check(&changed(&GLB, &changes), "a.glb");
+    }
+
+    #[test]
+    fn models(changes in changes(), words in texts()) {
+        check(&changed(MODEL, &changes), "a.glb");
+        check(&reworded(MODEL, &words), "a.glb");
     }
 
     #[test]

@@ -1,49 +1,16 @@
-//! The sheet of tiles as glTF has it: sRGB, straight alpha; and the material that shows it.
+//! The sheet of tiles as other tools have it: sRGB, straight alpha. Clear texels have the mean colour of their tile, so that
+//! no rim darkens where it is filtered.
 
-use super::container::Buffer;
 use crate::color::srgb_from_linear;
 use crate::sprites::{Atlas, TILE_SIZE, TILES};
-use serde_json::{Value, json};
 
 const SIDE: usize = 4 * TILE_SIZE;
 
-/// Adds texture 0 and material 0.
-pub(super) fn write(root: &mut Value, buffer: &mut Buffer, atlas: &Atlas) {
-    let view = buffer.file(&png(atlas));
-    root["images"] = json!([{ "name": "sprite tiles", "mimeType": "image/png", "bufferView": view }]);
-    // Linear, its mip levels too; clamped at the edges.
-    root["samplers"] = json!([{ "magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071 }]);
-    root["textures"] = json!([{ "source": 0, "sampler": 0 }]);
-    root["materials"] = json!([material("sprites", 1.0)]);
-}
-
-/// What sprites are made of; their alpha is multiplied with `alpha`.
-pub(super) fn material(name: &str, alpha: f64) -> Value {
-    json!({
-        "name": name,
-        "pbrMetallicRoughness": {
-            "baseColorTexture": { "index": 0 },
-            "baseColorFactor": [1.0, 1.0, 1.0, alpha],
-            "metallicFactor": 0.0,
-            "roughnessFactor": 1.0,
-        },
-        "alphaMode": "BLEND",
-        "doubleSided": true,
-        "extensions": { "KHR_materials_unlit": {} },
-    })
-}
-
-/// Left, top, right and bottom of a tile, shares of the sheet.
-pub(super) fn tile_rectangle(tile: u8) -> [f32; 4] {
-    let [column, row] = [tile % 4, tile / 4].map(|place| f32::from(place) * 0.25);
-    [column, row, column + 0.25, row + 0.25]
-}
-
-fn png(atlas: &Atlas) -> Vec<u8> {
+/// The sheet as a PNG.
+pub(super) fn png(atlas: &Atlas) -> Vec<u8> {
     let mut texels = vec![[0_u8; 4]; SIDE * SIDE];
-    for tile in 0..TILES {
+    for (tile, mean) in means(atlas).into_iter().enumerate() {
         let level = atlas.level(tile, 0);
-        let mean = mean(&level.texels);
         for (i, texel) in level.texels.iter().enumerate() {
             let (x, y) = (tile % 4 * TILE_SIZE + i % TILE_SIZE, tile / 4 * TILE_SIZE + i / TILE_SIZE);
             texels[y * SIDE + x] = straight(*texel, mean);
@@ -58,6 +25,11 @@ fn png(atlas: &Atlas) -> Vec<u8> {
     let written = encoder.write_header().and_then(|mut writer| writer.write_image_data(texels.as_flattened()));
     debug_assert!(written.is_ok());
     bytes
+}
+
+/// What each tile leaves of light in the mean, linear.
+pub(super) fn means(atlas: &Atlas) -> [[f32; 3]; TILES] {
+    std::array::from_fn(|tile| mean(&atlas.level(tile, 0).texels))
 }
 
 /// The colour that light has through a whole tile, linear.
