@@ -12,6 +12,7 @@ pub mod arrange;
 pub mod camera;
 pub mod change;
 pub mod color;
+pub mod density;
 pub mod derived;
 pub mod detail;
 pub mod document;

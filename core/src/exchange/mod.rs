@@ -10,6 +10,7 @@ mod arriving;
 mod cld;
 mod cry_cloud;
 mod flightgear;
+mod flightgear_voxels;
 mod format;
 pub mod glb;
 mod leaving;
@@ -27,6 +28,7 @@ mod sun;
 mod table;
 mod tiles;
 mod usd;
+mod volume;
 mod wpr;
 
 pub use arrived_model::ArrivedModel;

@@ -2,7 +2,7 @@
 
 use super::format::Corners;
 use super::format::{Reader, to_read, to_write};
-use super::{ChoiceError, Format, Part, cld, cry_cloud, flightgear, glb, sprites, usd, wpr};
+use super::{ChoiceError, Format, Part, cld, cry_cloud, flightgear, flightgear_voxels, glb, sprites, usd, volume, wpr};
 use crate::formats;
 
 /// All of them, in the order in which they are listed.
@@ -120,6 +120,42 @@ pub static FORMATS: &[Format] = &[
         read_options: &[],
         write: Some(wpr::write),
         read: Some(Reader { read: wpr::read, knows: formats::wpr::looks_like, max_bytes: formats::wpr::MAX_BYTES }),
+    },
+    Format {
+        name: "vol",
+        title: "Mitsuba 3 volumes",
+        endings: &["vol"],
+        about: "a grid of extinction for each cloud, and a scene of them that the path tracer renders as it is",
+        carries: &[Part::Formation, Part::Motion, Part::Atlas, Part::Light],
+        corners: Corners::Always,
+        write_options: volume::VOL_OPTIONS,
+        read_options: &[],
+        write: Some(volume::write_vol),
+        read: None,
+    },
+    Format {
+        name: "vdb",
+        title: "OpenVDB volumes",
+        endings: &["vdb"],
+        about: "a sparse grid of extinction for each cloud, for Blender, Houdini and others",
+        carries: &[Part::Formation, Part::Motion, Part::Atlas],
+        corners: Corners::None,
+        write_options: volume::VDB_OPTIONS,
+        read_options: &[],
+        write: Some(volume::write_vdb),
+        read: None,
+    },
+    Format {
+        name: "flightgear-voxels",
+        title: "FlightGear cloud voxels",
+        endings: &["voxels.png"],
+        about: "a picture of slices for each cloud, as FlightGear shows clouds after 2024",
+        carries: &[Part::Formation, Part::Atlas],
+        corners: Corners::None,
+        write_options: flightgear_voxels::WRITE_OPTIONS,
+        read_options: &[],
+        write: Some(flightgear_voxels::write),
+        read: None,
     },
 ];
 

@@ -3,8 +3,10 @@
 pub mod cld;
 pub mod cry_cloud;
 pub mod flightgear;
+pub mod flightgear_voxels;
 pub mod metar;
 mod misread;
+pub mod mitsuba_vol;
 pub mod model_glb;
 pub mod pretty_json;
 pub mod scene_file;
@@ -12,6 +14,7 @@ pub mod sprites_csv;
 pub mod sprites_json;
 pub mod stored_zip;
 pub mod usda;
+pub mod vdb;
 pub mod wpr;
 pub mod xml;
 

@@ -4,6 +4,7 @@
 
 mod architecture;
 mod assets;
+mod density;
 mod derived;
 mod draw_list;
 mod exchange;

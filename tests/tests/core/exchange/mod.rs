@@ -6,6 +6,7 @@ mod flightgear;
 mod glb;
 mod mutated;
 mod usd;
+mod volume;
 mod wpr;
 mod xml;
 
@@ -113,6 +114,10 @@ fn endings_choose_formats() {
         ("Fog.WPR", Some("wpr")),
         ("a.xml", Some("cryengine")),
         ("cloudlayers.xml", Some("flightgear")),
+        ("sky.vol", Some("vol")),
+        ("sky.vdb", Some("vdb")),
+        ("cu.voxels.png", Some("flightgear-voxels")),
+        ("sky.png", None),
         ("json", None),
     ] {
         assert_eq!(Format::to_write(None, name).ok().map(|format| format.name), wanted, "{name}");
