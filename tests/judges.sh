@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# Has programs that no one here wrote judge what leaves: Khronos' validator, three.js in headless Chromium, and OpenUSD.
-# Needs Node 20 with npm, jq, and Python 3 with venv; without Chromium, three.js is left out. The exports and pictures stay in
-# OUT_FOLDER. Blender reads the same exports by hand: tests/judges/blender.py says how.
+# Has programs that no one here wrote judge what leaves: Khronos' validator, three.js in headless Chromium, Chromium itself
+# with a web page beside our own pictures, compared by the published ꟻLIP, and OpenUSD.
+# Needs Node 20 with npm, jq, and Python 3 with venv; without Chromium, three.js and the page are left out. The exports and
+# pictures stay in OUT_FOLDER. Blender reads the same exports by hand: tests/judges/blender.py says how.
 # usage: tests/judges.sh PROGRAM OUT_FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -38,12 +39,29 @@ for scene in assets/scenes/*.cloudscene; do
   "$program" export "$scene" -o "$out/$name.sprites-$later.json" --at "$later" 2>/dev/null
 done
 node "$modules/gltf.mjs" "${exports[@]}"
-if command -v chromium >/dev/null; then
-  node "$modules/three.mjs" "$out" "${counted[@]}"
-else
-  echo "there is no Chromium: three.js is left out"
-fi
-
 python3 -m venv "$modules/venv"
 "$modules/venv/bin/pip" install --quiet --disable-pip-version-check usd-core==26.11
 "$modules/venv/bin/python" tests/judges/usd.py "$out" "$later" "${names[@]}"
+
+if ! command -v chromium >/dev/null; then
+  echo "there is no Chromium: three.js and the web page are left out"
+  exit
+fi
+node "$modules/three.mjs" "$out" "${counted[@]}"
+"$modules/venv/bin/pip" install --quiet --disable-pip-version-check flip-evaluator==1.7 numpy pillow
+size=640x360
+pages=()
+pairs=()
+for scene in fair_weather overcast front single_cumulus; do
+  file="assets/scenes/$scene.cloudscene"
+  "$program" export "$file" -o "$out/$scene.html" 2>/dev/null
+  for time in 12:00 20:00; do
+    name="$out/$scene-${time%:00}"
+    # Aircraft are not in a page, and the CPU draws none.
+    "$program" render "$file" -o "$name-ours.png" --camera main --time $time --size $size --renderer cpu 2>/dev/null
+    pages+=("$out/$scene.html:camera=main&time=$time&clock=0&still=1:$name-page.png")
+    pairs+=("$name-ours.png:$name-page.png")
+  done
+done
+node "$modules/web.mjs" $size "${pages[@]}"
+"$modules/venv/bin/python" "$modules/flip.py" 0.05 "${pairs[@]}"

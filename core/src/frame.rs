@@ -16,6 +16,7 @@ use crate::sky::{Background, Dome, GroundLook};
 use crate::sprites::{Atlas, PlacedCloud};
 use crate::version::Version;
 use crate::weather::SceneNow;
+use glam::DVec3;
 
 /// A scene's clouds, light and background as one eye sees them at one moment.
 #[derive(Debug, Clone)]
@@ -69,7 +70,7 @@ impl<'a> Frame<'a> {
         let choice = Choice { clouds, poses: &poses, subset, hidden };
         let (order, fading) = history.order.orders();
         Self {
-            background: background(&now, &view),
+            background: background(&now, view.eye),
             list: DrawList::new(&choice, &view, order),
             fading: fading.map(|(order, share)| (DrawList::new(&choice, &view, Some(order)), share)),
             veil: veil((clouds, &poses), (&view, &now.light, atlas, hidden), now.inside_density),
@@ -96,12 +97,13 @@ impl<'a> Frame<'a> {
     }
 }
 
-fn background(now: &SceneNow<'_>, view: &View) -> Background {
+/// What stands behind the clouds of a scene `now`, as it is from an `eye`.
+pub(crate) fn background(now: &SceneNow<'_>, eye: DVec3) -> Background {
     let SceneNow { light, ground, .. } = now;
     let albedo = ground.as_ref().map_or(Rgb::grey(0.1), |ground| ground.dark.mix(ground.bright, 0.5));
     Background {
         dome: Dome::new(light.sun_direction, now.turbidity, albedo, now.sky_gain, light.directional_max),
-        ground: ground.as_ref().and_then(|ground| GroundLook::new(ground, view.eye, light)),
+        ground: ground.as_ref().and_then(|ground| GroundLook::new(ground, eye, light)),
         haze_length_m: now.haze_length_m,
     }
 }

@@ -3,8 +3,9 @@
 //! The structs are the file: a field here is a field there, in this order, after a head that names format and version.
 //! Times are milliseconds; errors and stability are those of `cloudwright_core::measure`, none of which has a unit.
 
-use cloudwright_core::formats::pretty_json;
+use cloudwright_core::formats::{pretty_json, schema};
 use cloudwright_core::problem::Problem;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
@@ -17,7 +18,7 @@ pub const VERSION: u64 = 1;
 pub type Figure = Option<f64>;
 
 /// All that was measured of one scene in one view.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema, Deserialize)]
 pub struct Report {
     /// The scene's name, as a headline.
     pub scene: String,
@@ -42,7 +43,7 @@ pub struct Report {
 }
 
 /// From where, by its name in the scene; in the file, `"camera": NAME` or `"path": NAME`.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Viewpoint {
     /// A still.
@@ -52,7 +53,7 @@ pub enum Viewpoint {
 }
 
 /// One way to draw, measured.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema, Deserialize)]
 pub struct MethodFigures {
     /// Its name in the table of methods.
     pub name: String,
@@ -76,7 +77,7 @@ pub struct MethodFigures {
 }
 
 /// What a method takes.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema, Deserialize)]
 pub struct Cost {
     /// Wall time of a frame, median, milliseconds.
     pub frame_ms: Figure,
@@ -89,7 +90,7 @@ pub struct Cost {
 }
 
 /// Work that is the same on every machine.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema, Deserialize)]
 pub struct FrameCounts {
     /// Sprites drawn.
     pub sprites: u64,
@@ -108,7 +109,7 @@ pub struct FrameCounts {
 }
 
 /// What a method gets wrong, against the truth.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema, Deserialize)]
 pub struct Error {
     /// FLIP, mean over the pixels of all frames, 0 to 1.
     pub flip_mean: Figure,
@@ -121,7 +122,7 @@ pub struct Error {
 }
 
 /// How much more a method changes from frame to frame than the truth does, in linear light.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema, Deserialize)]
 pub struct Stability {
     /// Mean over all pixels and frames.
     pub excess_mean: Figure,
@@ -132,7 +133,7 @@ pub struct Stability {
 }
 
 /// One frame by one method, against the truth.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, JsonSchema, Deserialize)]
 pub struct FrameFigures {
     /// Of the scene's clock, seconds: since a path's start.
     pub at_s: f64,
@@ -151,7 +152,7 @@ pub struct FrameFigures {
 }
 
 /// A method that could not be measured.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema, Deserialize)]
 pub struct LeftOut {
     /// As it was asked for.
     pub name: String,
@@ -180,7 +181,7 @@ fn finite(cost: Figure, error: Figure) -> Option<[f64; 2]> {
     Some([cost?, error?]).filter(|point| point.iter().all(|x| x.is_finite()))
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct File<'a> {
     format: &'static str,
     version: u64,
@@ -201,6 +202,14 @@ struct Head {
 pub fn write(report: &Report) -> Result<String, serde_json::Error> {
     let file = File { format: FORMAT, version: VERSION, report };
     serde_json::to_value(&file).map(|value| pretty_json::write(&value))
+}
+
+/// The JSON Schema of the file.
+///
+/// # Errors
+/// None in practice: every schema can be said in JSON.
+pub fn json_schema() -> Result<String, serde_json::Error> {
+    schema::text_of::<File<'static>>()
 }
 
 /// Reads what [`write()`] wrote.

@@ -5,6 +5,7 @@ use super::{answer, say};
 use crate::opening::{self, Beside, OpenError};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::problem::{self, Problem};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -24,8 +25,8 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-#[derive(Serialize)]
-struct ProblemOut<'a> {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct ProblemOut<'a> {
     file: String,
     severity: &'static str,
     place: &'a str,

@@ -4,10 +4,11 @@ use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::say;
 use cloudwright_core::exchange::{ChoiceError, FORMATS, Format, Note, OptionError, OptionRow, Options};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What was written, as JSON.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(super) struct Answer<'a> {
     pub(super) format: &'static str,
     pub(super) files: Vec<String>,

@@ -25,6 +25,7 @@ use std::path::PathBuf;
   cloudwright export fair_weather.cloudscene -o lit.json --shaded --time 18:30 --camera main
   cloudwright export fair_weather.cloudscene -o clouds.cld --cloud \"big one\"
   cloudwright export front.cloudscene -o front.glb --at 45 --set plain=yes
+  cloudwright export summer_day.cloudscene -o index.html --at 45 --camera sunset
   cloudwright export summer_day.cloudscene -o day.WPR --set each_key=yes
 
 The file's ending chooses the format, or else --format does; `cloudwright formats` lists them, with what each carries and

@@ -3,6 +3,7 @@
 use super::failure::Failure;
 use super::{answer, info};
 use cloudwright_core::exchange::{FORMATS, Format, OptionRow, Part};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::fmt::Write;
 
@@ -19,8 +20,8 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-#[derive(Serialize)]
-struct Row {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Row {
     name: &'static str,
     title: &'static str,
     endings: &'static [&'static str],
@@ -34,7 +35,7 @@ struct Row {
     read_options: Vec<RowOption>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct RowOption {
     name: &'static str,
     about: &'static str,

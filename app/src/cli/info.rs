@@ -10,6 +10,7 @@ use cloudwright_core::measure::{Observer, sky_cover};
 use cloudwright_core::scene::{Beyond, CameraPath, CloudId, ModelId, PathId, Scene, Track};
 use cloudwright_core::sprites::PlacedCloud;
 use glam::DVec3;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::HashMap;
 use std::fmt::Write;
@@ -30,8 +31,8 @@ pub(super) struct Arguments {
     json: bool,
 }
 
-#[derive(Serialize)]
-struct SceneCounts {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct SceneCounts {
     name: String,
     models: usize,
     boxes: usize,
@@ -44,7 +45,7 @@ struct SceneCounts {
     clouds: Vec<CloudCounts>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct PathCounts {
     name: String,
     /// From its first key to its last.
@@ -54,7 +55,7 @@ struct PathCounts {
     aircraft: Vec<String>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct TrackCounts {
     /// The address of what it moves.
     property: String,
@@ -65,7 +66,7 @@ struct TrackCounts {
     after: Beyond,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Total {
     clouds: usize,
     /// Each model's as often as it is placed.
@@ -77,7 +78,7 @@ struct Total {
     bounds: Option<Bounds>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct CloudCounts {
     id: u64,
     name: String,
@@ -91,9 +92,11 @@ struct CloudCounts {
 }
 
 /// The box along the world's axes that holds the spheres of all kept sprites, metres.
-#[derive(Serialize, Clone, Copy)]
+#[derive(Serialize, JsonSchema, Clone, Copy)]
 struct Bounds {
+    #[schemars(with = "[f64; 3]")]
     low: DVec3,
+    #[schemars(with = "[f64; 3]")]
     high: DVec3,
 }
 

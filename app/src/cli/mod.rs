@@ -22,6 +22,7 @@ mod plugins;
 mod progress;
 mod render;
 mod run;
+pub mod schemas;
 mod script_host;
 mod table;
 mod thin;

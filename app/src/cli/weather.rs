@@ -15,6 +15,7 @@ use cloudwright_core::formats::metar::{RefusedGroup, Report};
 use cloudwright_core::reported::{Place, Sky};
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::Patience;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::path::PathBuf;
 use std::time::Instant;
@@ -71,8 +72,8 @@ pub(super) struct Arguments {
 
 /// Of a file of reports, and more than a year of them.
 const MOST_BYTES: usize = 4 << 20;
-#[derive(Serialize)]
-struct Answer<'a> {
+#[derive(Serialize, JsonSchema)]
+pub(super) struct Answer<'a> {
     reports: Vec<AnswerLine<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     skies: Option<Vec<AnswerSky<'a>>>,
@@ -81,7 +82,7 @@ struct Answer<'a> {
 }
 
 /// A report; of a forecast its states, one after the other.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct AnswerLine<'a> {
     line: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -90,7 +91,7 @@ struct AnswerLine<'a> {
     refused: Option<&'a RefusedGroup>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct AnswerSky<'a> {
     /// Of the scene's clock.
     time_s: f64,

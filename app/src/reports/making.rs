@@ -14,6 +14,7 @@ use cloudwright_core::scene::{Cloud, CloudId, Date, KeyValue, ModelId, Region, S
 use cloudwright_core::weather::Moment;
 use cloudwright_scripts::{ParameterKind, Patience, Plugin, ScriptError, Values, shipped};
 use glam::DVec3;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::atomic::Ordering;
@@ -35,7 +36,7 @@ pub struct Making {
 }
 
 /// A layer that was made.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct MadeLayer {
     /// It at its fullest.
     #[serde(flatten)]
@@ -49,7 +50,7 @@ pub struct MadeLayer {
 }
 
 /// How much of the sky a layer covers at one time, eighths.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Cover {
     /// Of the scene's clock.
     pub time_s: f64,

@@ -38,6 +38,15 @@ fn one_cloud_leaves_alone() {
 }
 
 #[test]
+fn a_page_begins_as_it_was_asked_to() {
+    let place = Place::new();
+    place.does("export good.cloudscene -o index.html --time 18:30 --at 4 --camera above");
+    let page = String::from_utf8(place.read("index.html")).expect("text");
+    assert!(page.contains(r#""start":{"camera":0,"clock_s":4.0,"time_h":18.5}"#));
+    assert_eq!(place.files(), ["good.cloudscene", "index.html"]);
+}
+
+#[test]
 fn a_file_beside_the_one_asked_for_is_no_input_either() {
     let place = Place::new();
     place.put("sky_2.cld", &place.read("good.cloudscene"));

@@ -19,6 +19,7 @@ mod pictures;
 mod plugins;
 mod reports;
 mod scenes;
+mod schemas;
 mod special_files;
 mod stopping;
 mod terminal;

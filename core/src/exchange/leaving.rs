@@ -8,6 +8,7 @@ use crate::scene::Scene;
 use crate::sprites::Atlas;
 use crate::watch::Watch;
 use crate::weather::{Moment, SceneNow};
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::io::{self, Write};
 
@@ -60,7 +61,7 @@ pub fn numbered(name: &str, place: usize) -> String {
 }
 
 /// What kind of thing a note tells.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum NoteKind {
     /// It is not in what was made.
@@ -72,7 +73,7 @@ pub enum NoteKind {
 }
 
 /// What an export or an import could not carry as it was.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Note {
     /// What kind of thing it tells.
     pub kind: NoteKind,

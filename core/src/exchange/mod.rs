@@ -29,6 +29,7 @@ mod table;
 mod tiles;
 mod usd;
 mod volume;
+mod web;
 mod wpr;
 
 pub use arrived_model::ArrivedModel;

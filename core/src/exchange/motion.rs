@@ -69,14 +69,14 @@ impl<'a> Motion<'a> {
         self.end_s
     }
 
-    /// When to look at a thing, at least: where it has a key, or what moves all things has one.
-    fn times_of(&self, thing: Thing) -> Vec<f64> {
+    /// When to look at a thing, at least: where it has a key, or what moves all things has one; and when it is said.
+    fn times_of(&self, thing: Thing, also_s: impl IntoIterator<Item = f64>) -> Vec<f64> {
         let is_its = |owner: &Option<Owner>| match owner {
             Some(Owner::Thing(other)) => *other == thing || !matches!(other, Thing::Cloud(_) | Thing::Camera(_)),
             _ => true,
         };
         let keyed = self.keyed.iter().filter(|(owner, _)| is_its(owner));
-        times(keyed.flat_map(|(_, times_s)| times_s.iter().copied()), self.end_s)
+        times(keyed.flat_map(|(_, times_s)| times_s.iter().copied()).chain(also_s), self.end_s)
     }
 
     /// How a camera of the scene goes; none if it stands.
@@ -85,12 +85,14 @@ impl<'a> Motion<'a> {
             let camera = self.derived.timeline().camera_at(camera, time);
             (camera.position, turn_of(&camera), camera.field_of_view_deg)
         };
-        let (still, times_s) = (at(0.0), self.times_of(Thing::Camera(camera.id)));
+        let (still, times_s) = (at(0.0), self.times_of(Thing::Camera(camera.id), []));
         times_s.iter().any(|time| at(*time) != still).then(|| Flight::along(&times_s, at))
     }
 
     pub(super) fn course(&self, cloud: &PlacedCloud) -> Course {
-        let times_s = self.times_of(Thing::Cloud(cloud.id));
+        let formation = cloud.cloud.formation.iter();
+        let formed_s = formation.flat_map(|formation| [formation.start_s, formation.end_s()]);
+        let times_s = self.times_of(Thing::Cloud(cloud.id), formed_s);
         let all: Vec<CloudNow<'_>> = times_s.iter().filter_map(|time| self.at(cloud, *time)).collect();
         let Some(first) = all.first() else { return Course::default() };
         let (still, formed) = (first.origin(), share_formed(first));
@@ -112,7 +114,7 @@ impl<'a> Motion<'a> {
 
     /// A cloud as it is at a second.
     fn at<'b>(&'b self, cloud: &'b PlacedCloud, clock_s: f64) -> Option<CloudNow<'b>> {
-        clouds_now(std::slice::from_ref(cloud), self.derived.timeline(), clock_s, WeatherRules::default()).pop()
+        at(cloud, self.derived, clock_s)
     }
 }
 
@@ -193,16 +195,31 @@ fn keys_of_numbers(times_s: &[f64], number: impl Fn(f64) -> f64, tolerance: f64)
 
 /// When the clock has nothing more to move but what moves for ever, seconds; of a wind alone a minute; 0 if nothing moves.
 fn end_s(scene: &Scene, derived: &Derived) -> f64 {
+    let flown = scene.paths.iter().map(|path| PathCurve::new(path).duration_s()).fold(0.0, f64::max);
+    let end_s = keyed_s(scene).max(flown);
+    if end_s > 0.0 { end_s } else { clock_end_s(scene, derived) }
+}
+
+/// The same without paths.
+pub(super) fn clock_end_s(scene: &Scene, derived: &Derived) -> f64 {
+    let end_s = keyed_s(scene);
+    if end_s <= 0.0 && derived.timeline().moves() { DRIFT_S } else { end_s }
+}
+
+/// When the last cloud has formed and the last track has its last key, seconds.
+fn keyed_s(scene: &Scene) -> f64 {
     let formed = scene.clouds.iter().filter_map(|cloud| Some(cloud.formation.as_ref()?.end_s()));
     let keyed = scene.tracks.iter().filter_map(|track| Some(track.keys.last()?.time_s));
-    let flown = scene.paths.iter().map(|path| PathCurve::new(path).duration_s());
-    let end_s = formed.chain(keyed).chain(flown).fold(0.0, f64::max);
-    let moves = derived.timeline().moves();
-    if end_s <= 0.0 && moves { DRIFT_S } else { end_s }
+    formed.chain(keyed).fold(0.0, f64::max)
+}
+
+/// A cloud as it is at a second.
+pub(super) fn at<'a>(cloud: &'a PlacedCloud, derived: &'a Derived, clock_s: f64) -> Option<CloudNow<'a>> {
+    clouds_now(std::slice::from_ref(cloud), derived.timeline(), clock_s, WeatherRules::default()).pop()
 }
 
 /// Times to look at a curve at, at least: those of its keys, and evenly from 0 to the end; none if it has no end.
-fn times(keyed: impl Iterator<Item = f64>, end_s: f64) -> Vec<f64> {
+pub(super) fn times(keyed: impl Iterator<Item = f64>, end_s: f64) -> Vec<f64> {
     if end_s <= 0.0 {
         return Vec::new();
     }

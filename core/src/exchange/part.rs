@@ -1,10 +1,11 @@
 //! What a scene consists of, as far as formats differ in what they carry of it.
 
 use crate::scene::{Scene, Weather};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A part of a scene.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Part {
     /// Where sprites are, how large, how turned, and their tiles.

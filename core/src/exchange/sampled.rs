@@ -11,7 +11,7 @@ const LOOKS: [f64; 3] = [0.25, 0.5, 0.75];
 /// and three quarters of the way, `between` is as `of` within what `near` allows.
 ///
 /// More than [`MOST_KEYS`] are not made: the curve is then as near as those take it.
-pub(super) fn sampled<T: Copy>(
+pub(in crate::exchange) fn sampled<T: Copy>(
     times_s: &[f64],
     of: impl Fn(f64) -> T,
     between: impl Fn(T, T, f64) -> T,

@@ -2,7 +2,9 @@
 
 use super::format::Corners;
 use super::format::{Reader, to_read, to_write};
-use super::{ChoiceError, Format, Part, cld, cry_cloud, flightgear, flightgear_voxels, glb, sprites, usd, volume, wpr};
+use super::{
+    ChoiceError, Format, Part, cld, cry_cloud, flightgear, flightgear_voxels, glb, sprites, usd, volume, web, wpr,
+};
 use crate::formats;
 
 /// All of them, in the order in which they are listed.
@@ -63,6 +65,29 @@ pub static FORMATS: &[Format] = &[
         write_options: usd::WRITE_OPTIONS,
         read_options: &[],
         write: Some(usd::write),
+        read: None,
+    },
+    Format {
+        name: "web",
+        title: "Web page",
+        endings: &["html"],
+        about: "one file to fly through in any browser with WebGL 2, at any time of day, with the scene's clock",
+        carries: &[
+            Part::Sprites,
+            Part::Groups,
+            Part::ColorLevels,
+            Part::Formation,
+            Part::Weather,
+            Part::Motion,
+            Part::Atlas,
+            Part::Light,
+            Part::Ground,
+            Part::Cameras,
+        ],
+        corners: Corners::Always,
+        write_options: &[],
+        read_options: &[],
+        write: Some(web::write),
         read: None,
     },
     Format {

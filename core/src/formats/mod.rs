@@ -1,5 +1,6 @@
 //! Bytes to values and back, one file a format. No files here: `app` reads and writes them.
 
+pub mod base64;
 pub mod cld;
 pub mod cry_cloud;
 pub mod flightgear;
@@ -10,6 +11,7 @@ pub mod mitsuba_vol;
 pub mod model_glb;
 pub mod pretty_json;
 pub mod scene_file;
+pub mod schema;
 pub mod sprites_csv;
 pub mod sprites_json;
 pub mod stored_zip;

@@ -4,18 +4,56 @@
 //! levels and corners from 0 at the cloud's bottom to 1 at its top; tiles 0 to 15 row by row.
 
 use super::pretty_json::LongObject;
+use super::schema;
 use crate::color::{Rgb, Rgba, shortest_f64};
 use crate::posed_sprite::{PosedSprite, Still};
-use crate::scene::{BoxId, ColorLevel};
+use crate::scene::{BoxId, Category, CloudId, ColorLevel};
 use crate::sprites::Group;
 use crate::watch::Watch;
 use crate::weather::CloudNow;
 use glam::{DVec3, Vec3};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::to_value;
 use std::io::{self, Write};
 
-#[derive(Serialize)]
+/// The file's shape. It is written piece by piece: as a whole it would be held in memory several times.
+#[derive(JsonSchema)]
+#[schemars(title = "cloudwright-sprites", deny_unknown_fields)]
+#[expect(dead_code, reason = "only its shape is wanted")]
+struct FileOut {
+    /// `cloudwright-sprites`.
+    format: String,
+    /// 1.
+    version: u32,
+    /// The light on the corners; only with those.
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    light: Option<LightOut>,
+    clouds: Vec<CloudOut>,
+}
+
+#[derive(JsonSchema)]
+#[schemars(deny_unknown_fields)]
+#[expect(dead_code, reason = "only its shape is wanted")]
+struct CloudOut {
+    id: CloudId,
+    name: String,
+    category: Category,
+    /// Of the box that holds its sprites' centres.
+    center: [f64; 3],
+    /// Half that box's diagonal.
+    radius: f64,
+    /// Altitude of its lowest sprite's sphere.
+    bottom: f64,
+    /// Altitude of its highest sprite's sphere.
+    top: f64,
+    color_levels: [LevelOut; 5],
+    groups: Vec<GroupOut>,
+    sprites: Vec<SpriteOut>,
+}
+
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 struct LightOut {
     time: String,
     sun_direction: [f64; 3],
@@ -23,26 +61,31 @@ struct LightOut {
     directional_max: Rgb,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 struct LevelOut {
     height: f64,
     rgba: Rgba,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 struct GroupOut {
     id: String,
+    #[schemars(with = "[f64; 3]")]
     center: DVec3,
     c_min: f64,
     c_med: f64,
     c_max: f64,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 struct SpriteOut {
     #[serde(rename = "box")]
     box_id: BoxId,
     index: u32,
+    #[schemars(with = "[f64; 3]")]
     position: DVec3,
     width: f64,
     height: f64,
@@ -53,13 +96,23 @@ struct SpriteOut {
     corners: Option<[CornerOut; 4]>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(deny_unknown_fields)]
 struct CornerOut {
+    #[schemars(with = "[f64; 3]")]
     position: DVec3,
     height: f64,
     ambient: Rgba,
     directional: Rgb,
     color: Rgba,
+}
+
+/// The JSON Schema of what [`write`] writes.
+///
+/// # Errors
+/// None in practice: every schema can be said in JSON.
+pub fn json_schema() -> Result<String, serde_json::Error> {
+    schema::text_of::<FileOut>()
 }
 
 /// Writes all `clouds` as text. With `shaded`, each sprite has its corners as that still shows them. The text ends early

@@ -11,6 +11,7 @@ pub mod plain;
 mod prepare;
 pub mod truth;
 
+pub(crate) use prepare::FINER;
 pub use prepare::{Hit, Linear, ScreenSprite, prepare, prepare_alone, trilinear};
 
 use crate::frame::Frame;

@@ -249,7 +249,7 @@ impl ScreenSprite {
 /// tent (s²/6). Both together blur as much as the sample's square where s²/4 = 1/12, at s = 1/√3. With s = 1, as mip
 /// levels are usually chosen, the blur is √3 times as wide; measured against the truth, ꟻLIP and opacity errors are
 /// least near 1/√3, and nothing flickers more.
-const FINER: f32 = -0.792_481_25;
+pub(crate) const FINER: f32 = -0.792_481_25;
 
 /// A mip level nearer to a whole one: the nearest quarters go to it, the half between runs twice as fast. Half of all
 /// sprites then need one level instead of two, and still nothing jumps.

@@ -2,6 +2,7 @@
 
 use crate::formats::metar::{Report, WindFrom};
 use crate::scene::Scene;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// −ln 0.02: how much light is lost over the distance at which a dark thing has 2 % of contrast left (Koschmieder,
@@ -10,7 +11,7 @@ use serde::Serialize;
 pub const EXTINCTION_AT_CONTRAST: f64 = 3.912;
 
 /// What a scene takes from a report, beside clouds. What the report does not know is none.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Air {
     /// Where the wind comes from, clockwise from north; none if there is none or it varies.
     pub wind_from_deg: Option<f64>,

@@ -6,10 +6,11 @@
 //! descriptions, as reports have none.
 
 use crate::formats::metar::{Cover, Descriptor, LayerKind, Phenomenon, Report, Weather};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A kind of cloud.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Genus {
     /// On the ground.
@@ -62,7 +63,7 @@ impl Genus {
 }
 
 /// A layer that a sky needs.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct PlannedLayer {
     /// Its kind of cloud.
     pub genus: Genus,

@@ -3,10 +3,11 @@
 use super::{Air, PlannedLayer, layers, strands};
 use crate::formats::metar::Report;
 use crate::scene::Scene;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A sky at one time.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Sky {
     /// Its layers of clouds, lowest first.
     pub layers: Vec<PlannedLayer>,

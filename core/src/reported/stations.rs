@@ -3,6 +3,7 @@
 use super::{Sky, minutes_apart};
 use crate::formats::metar::Report;
 use crate::scene::Scene;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A report, and where it was made if that is known.
@@ -15,7 +16,7 @@ pub struct Told {
 }
 
 /// A place on the Earth.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Place {
     /// North is positive.
     pub latitude_deg: f64,

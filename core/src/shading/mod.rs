@@ -5,6 +5,7 @@
 
 mod veil;
 
+pub(crate) use veil::{BEFORE_THE_EYE, MOST_OPAQUE};
 pub use veil::{Veil, veil};
 
 use crate::color::{Rgb, Rgba};

@@ -18,9 +18,9 @@ use crate::weather::{CloudNow, Light};
 pub type Veil = Premultiplied;
 
 /// No single sprite counts as more opaque than this: its optical depth would be infinite.
-const MOST_OPAQUE: f32 = 0.995;
+pub(crate) const MOST_OPAQUE: f32 = 0.995;
 /// Of a ball's depth, what lies before an eye inside it.
-const BEFORE_THE_EYE: f32 = 0.5;
+pub(crate) const BEFORE_THE_EYE: f32 = 0.5;
 
 /// The veil around the eye of `view`. `density` scales its optical depth: 0 for none, 1 as dense as the sprites.
 pub fn veil(

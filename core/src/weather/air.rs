@@ -8,7 +8,7 @@ use glam::Vec3;
 /// How fast a sprite goes from clear to whole as humidity rises, half, stretched.
 pub const CONDENSING: f32 = 0.08;
 /// The periods of the three swings of what sways, seconds: in no ratio of whole numbers.
-const SWINGS_S: [f64; 3] = [7.3, 11.9, 19.1];
+pub(crate) const SWINGS_S: [f64; 3] = [7.3, 11.9, 19.1];
 /// How far the largest sway goes, in a sprite's smaller side: in all three directions at once.
 pub const SWAY: f32 = 0.1;
 

@@ -19,6 +19,7 @@ mod sums;
 mod timeline;
 mod wind;
 
+pub(crate) use air::SWINGS_S;
 pub use air::{AirNow, CONDENSING, SWAY, sine};
 pub use cloud_now::{CloudNow, InAir, Look, REACH, Turn};
 pub use course::clouds_now;

@@ -3,6 +3,7 @@
 //!
 //! Run in the project's root. Tests say when one of them, charts and pictures apart, is stale.
 
+use cloudwright::cli::schemas;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::frame::Frame;
@@ -28,7 +29,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         ["scenes"] => write_scenes("assets/scenes", authoring::SCENES),
         ["presets"] => write_scenes("assets/presets", authoring::PRESETS),
         ["models"] => write_models(),
-        ["schema"] => Ok(fs::write("assets/scene.schema.json", scene_file::json_schema()?)?),
+        ["schema"] => write_schemas(),
         ["shortcuts"] => Ok(fs::write("README.md", with_shortcuts(&fs::read_to_string("README.md")?)?)?),
         ["manual"] => write_manual(),
         ["flip"] => write_flip_pairs("tests/flip".as_ref()),
@@ -45,6 +46,13 @@ fn write_manual() -> Result<(), Box<dyn Error>> {
     fs::write("scripts/MANUAL.md", manual::manual()?)?;
     fs::create_dir_all("scripts/definitions")?;
     Ok(fs::write("scripts/definitions/cloudwright.d.rhai", manual::definitions())?)
+}
+
+fn write_schemas() -> Result<(), Box<dyn Error>> {
+    fs::write("assets/scene.schema.json", scene_file::json_schema()?)?;
+    fs::create_dir_all("assets/schemas")?;
+    let write = |(name, text)| fs::write(format!("assets/schemas/{name}.schema.json"), text);
+    Ok(schemas::all()?.into_iter().try_for_each(write)?)
 }
 
 fn write_models() -> Result<(), Box<dyn Error>> {

@@ -1,5 +1,6 @@
 //! What is checked in is what the makers make: a stale asset says how to renew it.
 
+use cloudwright::cli::schemas;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::preset::{LevelPreset, Preset};
@@ -8,10 +9,14 @@ use cloudwright_tests::{atlas, authoring, root, scene_path, with_shortcuts};
 use std::fs;
 
 #[test]
-fn schema_is_fresh() {
-    let checked_in = fs::read_to_string(root().join("assets/scene.schema.json")).expect("the schema");
-    let made = scene_file::json_schema().expect("types make a schema");
-    assert!(checked_in == made, "stale: run `cargo run -p cloudwright-tests --bin renew -- schema`");
+fn schemas_are_fresh() {
+    let of_answers = schemas::all().expect("types make schemas").into_iter();
+    let of_answers = of_answers.map(|(name, made)| (format!("assets/schemas/{name}.schema.json"), made));
+    let of_scenes = scene_file::json_schema().expect("types make a schema");
+    for (file, made) in of_answers.chain([("assets/scene.schema.json".into(), of_scenes)]) {
+        let checked_in = fs::read_to_string(root().join(&file)).expect(&file);
+        assert!(checked_in == made, "{file} is stale: run `cargo run -p cloudwright-tests --bin renew -- schema`");
+    }
 }
 
 #[test]

@@ -12,6 +12,7 @@ use super::report::{MethodFigures, Report, Viewpoint};
 use super::svg::{self, Mark, Plot, Shape};
 use super::{Family, text};
 use crate::picture_png;
+use cloudwright_core::formats::base64;
 use cloudwright_core::image::Picture;
 use std::fmt::Write;
 
@@ -127,7 +128,7 @@ fn head(page: &Page<'_>, out: &mut String) -> Result<(), png::EncodingError> {
 
 /// An `<img>` with the picture's data in it. `attributes` are HTML, `alt` is not.
 fn picture(picture: &Picture, alt: &str, attributes: &str, out: &mut String) -> Result<(), png::EncodingError> {
-    let png = text::base64(&picture_png::encode(picture)?);
+    let png = base64::encode(&picture_png::encode(picture)?);
     let Picture { width, height, .. } = picture;
     let alt = text::escape(alt);
     let _ = writeln!(

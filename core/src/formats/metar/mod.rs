@@ -18,10 +18,11 @@ mod phenomenon;
 pub use phenomenon::{Descriptor, Intensity, Phenomenon, Weather};
 
 use group::Group;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// What one report says of the sky over its station.
-#[derive(Debug, Clone, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, JsonSchema)]
 pub struct Report {
     /// The station's four letters.
     pub station: String,
@@ -50,7 +51,7 @@ pub struct Report {
 }
 
 /// Mean wind of the last ten minutes (two in the United States).
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Wind {
     /// Where it comes from, if anywhere.
     pub from: WindFrom,
@@ -61,7 +62,7 @@ pub struct Wind {
 }
 
 /// Where wind comes from.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum WindFrom {
     /// Degrees clockwise from true north, 0 to below 360.
@@ -75,7 +76,7 @@ pub enum WindFrom {
 }
 
 /// How far one sees along the ground.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Visibility {
     /// Metres.
     pub m: f64,
@@ -84,7 +85,7 @@ pub struct Visibility {
 }
 
 /// Clouds of one height.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, JsonSchema)]
 pub struct Layer {
     /// How much of the sky they cover; none if it was not measured.
     pub cover: Option<Cover>,
@@ -95,7 +96,7 @@ pub struct Layer {
 }
 
 /// How much of the sky a layer covers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 pub enum Cover {
     /// 1 to 2 oktas.
     #[serde(rename = "FEW")]
@@ -127,7 +128,7 @@ impl Cover {
 }
 
 /// Whether clouds tower.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 pub enum LayerKind {
     /// Nothing is said of it.
     #[serde(rename = "plain")]
@@ -141,7 +142,7 @@ pub enum LayerKind {
 }
 
 /// What a report says in place of layers.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "UPPERCASE")]
 pub enum Clear {
     /// No clouds, says a person.
@@ -157,7 +158,7 @@ pub enum Clear {
 }
 
 /// Why a report is refused.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, thiserror::Error)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema, thiserror::Error)]
 #[error("column {column}: “{group}” can't be read: {reason}")]
 pub struct RefusedGroup {
     /// The group as it stands there, its beginning if it is long; empty if the text ends too early.

@@ -1,9 +1,10 @@
 //! Weather as WMO code table 4678 has it: intensity, descriptor, phenomena, two letters each.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// One group of weather, now.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, JsonSchema)]
 pub struct Weather {
     /// How heavy.
     pub intensity: Intensity,
@@ -16,7 +17,7 @@ pub struct Weather {
 }
 
 /// How heavy weather is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
 #[serde(rename_all = "snake_case")]
 pub enum Intensity {
     /// `-`
@@ -30,7 +31,7 @@ pub enum Intensity {
 macro_rules! codes {
     ($(#[$of:meta])* $Kind:ident: $($code:literal $Name:ident $doc:literal;)*) => {
         $(#[$of])*
-        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, JsonSchema)]
         #[serde(rename_all = "snake_case")]
         pub enum $Kind {
             $(#[doc = $doc] $Name,)*

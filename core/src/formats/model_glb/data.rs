@@ -3,6 +3,7 @@
 //! Every length is checked before a byte is read. Sparse accessors, mostly used for morph targets, are refused.
 
 use super::{ModelError, broken};
+use crate::formats::base64;
 use glam::Vec3;
 use gltf::json::accessor::{ComponentType, Type};
 use gltf::json::validation::Checked;
@@ -32,7 +33,7 @@ impl<'a> Data<'a> {
             None => blob.take().map(Cow::Owned).ok_or_else(|| broken(format!("buffer {i} has no data"))),
             Some(uri) => match uri.strip_prefix("data:").and_then(|rest| rest.split_once(";base64,")) {
                 Some((_, text)) => {
-                    from_base64(text).map(Cow::Owned).ok_or_else(|| broken(format!("buffer {i} is no base64")))
+                    base64::decode(text).map(Cow::Owned).ok_or_else(|| broken(format!("buffer {i} is no base64")))
                 }
                 None => Err(ModelError::NeedsFile(uri.chars().take(200).collect())),
             },
@@ -130,40 +131,5 @@ fn largest(component: ComponentType) -> f64 {
         ComponentType::U16 => f64::from(u16::MAX),
         ComponentType::U32 => f64::from(u32::MAX),
         ComponentType::F32 => 1.0,
-    }
-}
-
-/// RFC 4648, with or without padding; none for any other character.
-fn from_base64(text: &str) -> Option<Vec<u8>> {
-    let mut bytes = Vec::with_capacity(text.len() / 4 * 3);
-    let (mut bits, mut held) = (0_u32, 0);
-    for character in text.trim_end_matches('=').bytes() {
-        let value = match character {
-            b'A'..=b'Z' => character - b'A',
-            b'a'..=b'z' => character - b'a' + 26,
-            b'0'..=b'9' => character - b'0' + 52,
-            b'+' => 62,
-            b'/' => 63,
-            _ => return None,
-        };
-        (bits, held) = (bits << 6 | u32::from(value), held + 6);
-        if held >= 8 {
-            held -= 8;
-            bytes.push((bits >> held) as u8);
-        }
-    }
-    Some(bytes)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::from_base64;
-
-    #[test]
-    fn base64_as_in_the_rfc() {
-        for (text, want) in [("", ""), ("Zg==", "f"), ("Z28=", "go"), ("Zm9v", "foo"), ("Zm9vYmE", "fooba")] {
-            assert_eq!(from_base64(text).as_deref(), Some(want.as_bytes()), "{text}");
-        }
-        assert_eq!(from_base64("Zm9*"), None);
     }
 }

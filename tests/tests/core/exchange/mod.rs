@@ -7,6 +7,7 @@ mod glb;
 mod mutated;
 mod usd;
 mod volume;
+mod web;
 mod wpr;
 mod xml;
 
@@ -111,6 +112,7 @@ fn endings_choose_formats() {
         ("a.glb", Some("glb")),
         ("a.usda", Some("usd")),
         ("a.USDZ", Some("usd")),
+        ("DIR.html", Some("web")),
         ("Fog.WPR", Some("wpr")),
         ("a.xml", Some("cryengine")),
         ("cloudlayers.xml", Some("flightgear")),

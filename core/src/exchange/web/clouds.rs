@@ -1,0 +1,139 @@
+//! Clouds, groups and sprites as the page's textures hold them: words by the four. The layout is that of
+//! render/src/cloud_data.rs; copies of a cloud share their sprites.
+
+use super::super::Leaving;
+use super::block::Block;
+use super::moving;
+use crate::derived::Derived;
+use crate::scene::ModelId;
+use crate::sprites::{Group, PlacedCloud, Sprite, Sprites};
+use crate::weather::CloudNow;
+use rustc_hash::FxHashMap;
+use serde::Serialize;
+use std::sync::Arc;
+
+/// Where a cloud's things stand.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct Listed {
+    /// Metres in the world.
+    origin: [f64; 3],
+    first_sprite: usize,
+    sprites: usize,
+    first_key: usize,
+    keys: usize,
+    /// Of its colour levels; clouds of one model share them.
+    first_level_key: usize,
+    level_keys: usize,
+}
+
+/// All of them.
+#[derive(Debug, Default)]
+pub(super) struct Clouds {
+    pub(super) listed: Vec<Listed>,
+    sprites: Vec<[u32; 8]>,
+    groups: Vec<[f32; 8]>,
+    clouds: Vec<[f32; 32]>,
+    stirs: Vec<[u32; 4]>,
+    keys: Vec<[f32; moving::CLOUD_NUMBERS]>,
+    air: Vec<[f32; moving::AIR_NUMBERS]>,
+    levels: Vec<[f32; moving::LEVEL_NUMBERS]>,
+    /// Whether there are tracks of groups' light, which the page has not.
+    pub(super) has_keyed_groups: bool,
+}
+
+impl Clouds {
+    /// Those that are to leave; some are missing if the watch is cancelled.
+    pub(super) fn new(leaving: &Leaving<'_>, times_s: &[f64]) -> Self {
+        let Leaving { derived, now, watch, .. } = *leaving;
+        let mut all = Self { air: moving::air(derived.clouds().first(), derived, times_s), ..Self::default() };
+        let mut known: Vec<(&Sprites, &Arc<[Group]>, usize)> = Vec::new();
+        let mut models: FxHashMap<ModelId, [usize; 2]> = FxHashMap::default();
+        watch.expect(now.clouds.len() as u64);
+        for cloud in watch.along(1, &now.clouds) {
+            let (sprites, groups) = (&cloud.placed.sprites, cloud.groups());
+            let same = |(other, their_groups, _): &&(&Sprites, &Arc<[Group]>, usize)| {
+                other.are(sprites) && Arc::ptr_eq(their_groups, groups)
+            };
+            let first_sprite = known.iter().find(same).map(|(_, _, first)| *first);
+            let first_sprite = first_sprite.unwrap_or_else(|| {
+                known.push((sprites, groups, all.sprites.len()));
+                all.add_sprites(cloud.placed, groups)
+            });
+            let [first_level_key, level_keys] = *models
+                .entry(cloud.placed.cloud.model)
+                .or_insert_with(|| all.add_levels(cloud.placed, derived, times_s));
+            let keys = moving::cloud(cloud.placed, derived, &moving::times_s(leaving, Some(cloud.placed.id)));
+            all.listed.push(Listed {
+                origin: cloud.placed.origin.to_array(),
+                first_sprite,
+                sprites: sprites.len(),
+                first_key: all.keys.len(),
+                keys: keys.len(),
+                first_level_key,
+                level_keys,
+            });
+            all.keys.extend(keys);
+            all.clouds.push(cloud_numbers(cloud));
+        }
+        all
+    }
+
+    fn add_sprites(&mut self, placed: &PlacedCloud, groups: &[Group]) -> usize {
+        let (first_sprite, first_group) = (self.sprites.len(), self.groups.len());
+        self.sprites.extend(placed.sprites.iter().map(|sprite| sprite_words(sprite, first_group)));
+        self.groups.extend(groups.iter().map(group_numbers));
+        if !self.air.is_empty() {
+            self.stirs.extend(placed.stirs().iter().map(crate::sprites::Stir::packed));
+        }
+        first_sprite
+    }
+
+    /// Adds the keys of the levels of a cloud's model: the first, and how many.
+    fn add_levels(&mut self, placed: &PlacedCloud, derived: &Derived, times_s: &[f64]) -> [usize; 2] {
+        let (first, keys) = (self.levels.len(), moving::levels(placed, derived, times_s));
+        self.has_keyed_groups |= moving::moves_groups(placed, derived, times_s);
+        let count = keys.len();
+        self.levels.extend(keys);
+        [first, count]
+    }
+
+    /// Adds their sections.
+    pub(super) fn write(&self, block: &mut Block) {
+        block.add("sprites", self.sprites.as_flattened());
+        block.add("groups", self.groups.as_flattened());
+        block.add("clouds", self.clouds.as_flattened());
+        block.add("stirs", self.stirs.as_flattened());
+        block.add("cloud_keys", self.keys.as_flattened());
+        block.add("air_keys", self.air.as_flattened());
+        block.add("level_keys", self.levels.as_flattened());
+    }
+}
+
+fn sprite_words(sprite: &Sprite, first_group: usize) -> [u32; 8] {
+    let (sin, cos) = libm::sincosf(sprite.rotation);
+    let [x, y, z] = sprite.position.to_array();
+    let [a, b, c, d, e, f, g] = [x, y, z, sprite.width, sprite.height, sin, cos].map(f32::to_bits);
+    let group = first_group as u32 + sprite.group;
+    [a, b, c, d, e, f, g, group << 4 | u32::from(sprite.tile & 15)]
+}
+
+fn group_numbers(group: &Group) -> [f32; 8] {
+    let ([x, y, z], [c_min, c_med, c_max]) = (group.center.to_array(), group.c);
+    [x, y, z, c_min, c_med, c_max, 0.0, 0.0]
+}
+
+/// Centre, 1 / radius; bottom, top, the highest level's height, radius; the other heights; the levels' colours.
+fn cloud_numbers(cloud: &CloudNow<'_>) -> [f32; 32] {
+    let PlacedCloud { center, radius, bottom, top, .. } = *cloud.placed;
+    let levels = cloud.color_levels();
+    let heights = levels.map(|level| level.height as f32);
+    let mut numbers = [0.0; 32];
+    numbers[..3].copy_from_slice(&center.to_array());
+    numbers[3] = if radius > 0.0 { 1.0 / radius } else { 0.0 };
+    numbers[4..8].copy_from_slice(&[bottom, top, heights[4], radius]);
+    numbers[8..12].copy_from_slice(&heights[..4]);
+    for (slot, level) in numbers[12..].chunks_mut(4).zip(levels) {
+        slot.copy_from_slice(&level.color.to_array());
+    }
+    numbers
+}

@@ -1,0 +1,233 @@
+// The sprites: each turned to the eye, its corners lit and hazed. The twin of render/src/pass/sprites/sprites.wgsl, which
+// says why it is so; what the sprites are stands in textures of four words a texel, in rows of DATA_ROW texels.
+//
+// A vertex is a corner; each of the four computes all four corners' light, because light runs bilinearly over the quad and
+// not linearly over its two triangles.
+
+const uint FACES_EYE = 0xffffffffu;
+
+// Cloud, sprite and pose.
+layout(location = 0) in uvec3 instance;
+uniform usampler2D sprite_data;
+uniform usampler2D group_data;
+uniform usampler2D cloud_data;
+uniform usampler2D moment_data;
+uniform usampler2D pose_data;
+uniform usampler2D stir_data;
+// The air that moves sprites one by one.
+uniform vec3 air_lean;
+uniform vec3 air_lean_shear;
+uniform float air_turned;
+uniform float air_turbulence;
+uniform vec3 air_swings;
+uniform float air_humidity;
+
+out vec2 uv;
+// Light at (u, v): base + u·right + v·down + u·v·both; straight linear rgb after haze, and alpha.
+flat out vec4 light_base;
+flat out vec4 light_right;
+flat out vec4 light_down;
+flat out vec4 light_both;
+// What haze adds for a fragment of alpha 1, and the mip level.
+flat out vec4 haze_and_mip;
+flat out uint tile;
+
+uvec4 words(usampler2D data, uint at) {
+    return texelFetch(data, ivec2(at % DATA_ROW, at / DATA_ROW), 0);
+}
+
+vec4 floats(usampler2D data, uint at) {
+    return uintBitsToFloat(words(data, at));
+}
+
+struct Cloud {
+    vec3 center;
+    float inverse_radius;
+    float bottom;
+    float top;
+    // Heights of the colour levels, and their colours.
+    float heights[5];
+    vec4 colors[5];
+};
+
+Cloud load_cloud(uint index) {
+    uint at = index * 8u;
+    vec4 sphere = floats(cloud_data, at);
+    vec4 extent = floats(cloud_data, at + 1u);
+    vec4 heights = floats(cloud_data, at + 2u);
+    Cloud cloud;
+    cloud.center = sphere.xyz;
+    cloud.inverse_radius = sphere.w;
+    cloud.bottom = extent.x;
+    cloud.top = extent.y;
+    cloud.heights = float[5](heights.x, heights.y, heights.z, heights.w, extent.z);
+    for (int i = 0; i < 5; i++) {
+        cloud.colors[i] = floats(cloud_data, at + 3u + uint(i));
+    }
+    return cloud;
+}
+
+struct Moment {
+    vec3 from_eye;
+    float formed_core;
+    float formed_falloff;
+    float growth;
+    float opacity;
+    float scale;
+    // Sine and cosine, counter-clockwise from above.
+    vec2 turn;
+    // How far edges can be carried, metres; negative in air that carries nothing.
+    float reach_m;
+};
+
+Moment load_moment(uint cloud) {
+    vec4 first = floats(moment_data, cloud * 3u);
+    vec4 second = floats(moment_data, cloud * 3u + 1u);
+    vec4 third = floats(moment_data, cloud * 3u + 2u);
+    return Moment(first.xyz, first.w, second.x, second.y, second.z, second.w, third.xy, third.z);
+}
+
+// The sine of so many whole turns.
+float sine(float turns) {
+    return sin(6.2831855 * (turns - floor(turns + 0.5)));
+}
+
+vec3 turned_by(vec2 turn, vec3 v) {
+    return vec3(turn.y * v.x + turn.x * v.z, v.y, turn.y * v.z - turn.x * v.x);
+}
+
+// A direction as it lies to the cloud at rest, where light is taken.
+vec3 at_rest(vec3 direction, Moment moment) {
+    return turned_by(vec2(-moment.turn.x, moment.turn.y), direction);
+}
+
+float height_within(Cloud cloud, float y) {
+    float extent = cloud.top - cloud.bottom;
+    return extent > 0.0 ? clamp((y - cloud.bottom) / extent, 0.0, 1.0) : 0.0;
+}
+
+// The first level above `height` and the one below it.
+vec4 level_color(Cloud cloud, float height) {
+    vec4 color = cloud.colors[4];
+    for (int i = 4; i > 0; i--) {
+        if (cloud.heights[i] > height) {
+            float share = (height - cloud.heights[i - 1]) / (cloud.heights[i] - cloud.heights[i - 1]);
+            color = mix(cloud.colors[i - 1], cloud.colors[i], share);
+        }
+    }
+    return cloud.heights[0] > height ? cloud.colors[0] : color;
+}
+
+// Cmin where the cosine between `outward` and the sun is −1, Cmed at 0, Cmax at 1.
+float directional_share(vec3 outward, vec3 c, vec3 sun) {
+    float d = clamp(dot(unit_or(outward, vec3(0.0)), sun), -1.0, 1.0);
+    return c.y + d * (d < 0.0 ? c.y - c.x : c.z - c.y);
+}
+
+// The upright of a sprite that faces a far eye: the world's up, and towards the poles the camera's.
+vec3 upright_across(vec3 to_eye) {
+    vec3 any_axis = abs(to_eye.x) < 0.8 ? vec3(1.0, 0.0, 0.0) : vec3(0.0, 0.0, 1.0);
+    vec3 fallback = normalize(across(any_axis, to_eye));
+    float pole = smoothstep(POLE_FROM, POLE_TO, abs(to_eye.y));
+    vec3 world = unit_or(across(vec3(0.0, 1.0, 0.0), to_eye), vec3(0.0));
+    vec3 camera = unit_or(across(up_in_world, to_eye), world);
+    return unit_or(world * (1.0 - pole) + camera * pole, fallback);
+}
+
+// The level whose texels, twice filtered, blur as much as a pixel does, sharpened, within the levels there are.
+float mip_level(vec3 center, float width, float height) {
+    float depth = max(dot(center, forward_in_world), NEAR_M);
+    float mip = log2(TILE_SIZE * depth * pixel / sqrt(width * height)) + FINER;
+    float level = floor(mip);
+    return clamp(level + clamp(2.0 * (mip - level) - 0.5, 0.0, 1.0), 0.0, LAST_MIP);
+}
+
+Cloud cloud;
+Moment moment;
+vec3 group_center;
+vec3 group_c;
+vec3 sun_at_rest;
+
+// Linear rgb, straight; alpha as far as the cloud has formed.
+vec4 corner_light(vec3 point) {
+    vec4 level = level_color(cloud, height_within(cloud, point.y));
+    vec3 rgb = level.rgb * ambient.rgb + directional * directional_share(point - group_center, group_c, sun_at_rest);
+    float radii = distance(point, cloud.center) * cloud.inverse_radius;
+    float formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
+    return vec4(rgb, clamp(level.a * ambient.a, 0.0, 1.0) * formed * moment.opacity);
+}
+
+void main() {
+    cloud = load_cloud(instance.x);
+    moment = load_moment(instance.x);
+    vec4 first = floats(sprite_data, instance.y * 2u);
+    uvec4 second = words(sprite_data, instance.y * 2u + 1u);
+    uint group = second.w >> 4u;
+    vec4 group_first = floats(group_data, group * 2u);
+    vec4 group_second = floats(group_data, group * 2u + 1u);
+    group_center = group_first.xyz;
+    group_c = vec3(group_first.w, group_second.xy);
+    sun_at_rest = at_rest(sun_direction, moment);
+
+    // The sprite as it is now: where growth, turn and scale put it, and what the air adds.
+    vec3 rest = first.xyz;
+    vec3 grown = vec3(rest.x, rest.y + (rest.y - cloud.bottom) * (moment.growth - 1.0), rest.z);
+    vec3 position = moment.scale * turned_by(moment.turn, grown);
+    float width = first.w * moment.scale;
+    float height = uintBitsToFloat(second.x) * moment.scale;
+    vec2 rotation = uintBitsToFloat(second.yz);
+    float condensed = 1.0;
+    if (moment.reach_m >= 0.0) {
+        uvec4 stir = words(stir_data, instance.y);
+        float looseness = uintBitsToFloat(stir.x);
+        float threshold = uintBitsToFloat(stir.y);
+        vec2 turn_and_sway = unpackSnorm2x16(stir.z);
+        vec3 phases = vec3(uvec3(stir.w, stir.w >> 10u, stir.w >> 20u) & uvec3(1023u)) / 1024.0;
+        vec3 lean = air_lean + air_lean_shear * (height_within(cloud, rest.y) - 0.5);
+        vec3 swings = air_swings + phases;
+        float sway = air_turbulence * turn_and_sway.y * SWAY * min(width, height);
+        position += lean * (looseness * moment.reach_m) + vec3(sine(swings.x), sine(swings.y), sine(swings.z)) * sway;
+        float turns = turn_and_sway.x * air_turned;
+        vec2 more = vec2(sine(turns), sine(turns + 0.25));
+        rotation = vec2(rotation.x * more.y + rotation.y * more.x, rotation.y * more.y - rotation.x * more.x);
+        condensed = smoothstep(threshold - CONDENSING, threshold + CONDENSING, air_humidity);
+    }
+    vec3 center = moment.from_eye + position;
+
+    // It faces the eye, unless it is near and has a pose of its own.
+    vec3 towards = unit_or(-center, vec3(0.0, 0.0, 1.0));
+    vec3 upright;
+    float fade = 1.0;
+    if (instance.z == FACES_EYE) {
+        upright = upright_across(towards);
+    } else {
+        vec4 pose = floats(pose_data, instance.z * 2u);
+        towards = pose.xyz;
+        fade = pose.w;
+        upright = floats(pose_data, instance.z * 2u + 1u).xyz;
+    }
+    vec3 level_right = cross(upright, towards);
+    vec3 to_right = (level_right * rotation.y + upright * rotation.x) * (0.5 * width);
+    vec3 to_top = (upright * rotation.y - level_right * rotation.x) * (0.5 * height);
+
+    float hazed = haze_share(length(center));
+    vec4 shows = vec4(vec3(1.0 - hazed), fade * condensed);
+    vec3 right_at_rest = at_rest(to_right, moment) / moment.scale;
+    vec3 top_at_rest = at_rest(to_top, moment) / moment.scale;
+    vec4 top_left = shows * corner_light(rest - right_at_rest + top_at_rest);
+    vec4 top_right = shows * corner_light(rest + right_at_rest + top_at_rest);
+    vec4 bottom_left = shows * corner_light(rest - right_at_rest - top_at_rest);
+    vec4 bottom_right = shows * corner_light(rest + right_at_rest - top_at_rest);
+
+    uv = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+    vec3 corner = center + to_right * (2.0 * uv.x - 1.0) + to_top * (1.0 - 2.0 * uv.y);
+    vec2 on_plane = vec2(dot(corner, right_in_world), dot(corner, up_in_world)) * 2.0 / (pixel * size_px);
+    // Depth is reversed: 1 at the near plane, 0 at infinity.
+    gl_Position = vec4(on_plane, NEAR_M, dot(corner, forward_in_world));
+    light_base = top_left;
+    light_right = top_right - top_left;
+    light_down = bottom_left - top_left;
+    light_both = (bottom_right - bottom_left) - (top_right - top_left);
+    haze_and_mip = vec4(horizon_radiance(center) * hazed, mip_level(center, width, height));
+    tile = second.w & 15u;
+}
