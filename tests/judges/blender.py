@@ -1,5 +1,6 @@
 """What Blender reads of exported scenes: clouds, sprites, cameras and what moves, against what the scene has. In OUT_FOLDER
-tests/judges.sh has put the exports. With --picture, Cycles draws the .usda's first camera as OUT_FOLDER/NAME-blender.png.
+tests/judges.sh has put the exports. With --picture, Cycles draws what the scene's first camera sees of the .usda, as
+OUT_FOLDER/NAME-blender.png.
 usage: python blender.py OUT_FOLDER [--picture] NAME...
 
     python3.11 -m venv VENV && VENV/bin/pip install "bpy==5.0.1" "numpy<2"      (374 MB)
@@ -51,8 +52,8 @@ def judge(out, name, picture):
             bpy.ops.import_scene.gltf(filepath=path)
             # Quads come as two triangles, each an instance's or a mesh's.
             got = {"sprites": quads_as_drawn() // 2}
-            names = {cloud["name"] for cloud in info["clouds"] if cloud["sprites"]}
-            got["clouds"] = sum(1 for each in bpy.data.objects if each.parent is None and stem(each.name) in names)
+            tops = [each for each in bpy.data.objects if each.parent is None and each.users_scene]
+            got["clouds"] = sum(1 for each in tops if each.type in ("EMPTY", "MESH"))
         else:
             bpy.ops.wm.usd_import(filepath=path)
             got = {"sprites": sum(len(each.data.polygons) for each in meshes()), "clouds": len(meshes())}
@@ -65,21 +66,13 @@ def judge(out, name, picture):
         print(f"{name}{ending}: {got}, {lights} lights, {moves} that move, frames {frames}"
               + (f" instead of {bad}" if bad else ""))
     if picture:
-        draw(str(out / f"{name}-blender.png"))
+        draw(str(out / f"{name}-blender.png"), info["cameras"][0])
     return faults
 
 
-def stem(name):
-    """Blender numbers what has one name."""
-    head, dot, tail = name.rpartition(".")
-    return head if dot and tail.isdigit() else name
-
-
-def draw(path):
+def draw(path, camera):
     scene = bpy.context.scene
-    scene.camera = cameras()[0]
-    scene.world = bpy.data.worlds.new("sky")
-    scene.world.color = (0.09, 0.23, 0.6)
+    scene.camera = next(each for each in cameras() if each.name.replace("_", " ") == camera.replace("_", " "))
     scene.render.engine = "CYCLES"
     scene.cycles.samples = 16
     scene.cycles.transparent_max_bounces = 256

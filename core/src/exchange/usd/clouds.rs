@@ -1,7 +1,7 @@
 //! Clouds as Xforms, each with a mesh of its sprites.
 
-use super::materials::Materials;
-use super::{FINE_STEPS, code, display_name, materials, placed, scope};
+use super::materials::{Materials, OfMesh};
+use super::{FINE_STEPS, code, display_name, placed, scope};
 use crate::exchange::motion::Course;
 use crate::exchange::quads::{Quad, quads};
 use crate::exchange::{Leaving, sheet, tiles};
@@ -35,7 +35,7 @@ pub(super) fn write(text: &mut Text, leaving: &Leaving<'_>, sheet_name: &str, co
                 }
                 placed(text, (cloud.origin(), &course.places), None);
                 if !quads.is_empty() {
-                    mesh(text, &quads, &means, materials.of(&quads, forms.then_some((at, course))));
+                    mesh(text, &prim, &quads, &means, &materials.of(&quads, forms.then_some((at, course))));
                 }
             });
         }
@@ -56,9 +56,10 @@ fn visibility(text: &mut Text, course: &Course) {
     text.samples("token visibility", samples.into_iter());
 }
 
-fn mesh(text: &mut Text, quads: &[Quad], means: &[[f32; 3]; TILES], materials: materials::OfMesh) {
+/// A cloud's mesh, with its name: programs that leave out an Xform with one child keep the child's.
+fn mesh(text: &mut Text, name: &str, quads: &[Quad], means: &[[f32; 3]; TILES], materials: &OfMesh) {
     let metadata = ["prepend apiSchemas = [\"MaterialBindingAPI\"]".into()];
-    text.prim("def Mesh \"sprites\"", &metadata, |text| {
+    text.prim(&format!("def Mesh \"{name}\""), &metadata, |text| {
         text.set("uniform bool doubleSided", 1);
         let corners = || quads.iter().flat_map(|quad| quad.corners);
         let ends = [Vec3::min as fn(Vec3, Vec3) -> Vec3, Vec3::max].map(|choose| corners().reduce(choose));

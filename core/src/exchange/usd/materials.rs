@@ -5,10 +5,10 @@
 //! have. A cloud that forms has one, by the mean of all its sprites and how far it has formed. All are the first one with
 //! another scale.
 
-use super::{ROOT, code};
+use super::{FINE_STEPS, ROOT, code};
 use crate::exchange::motion::Course;
 use crate::exchange::quads::Quad;
-use crate::formats::usda::{Number, Text, beside};
+use crate::formats::usda::{Text, Tuple, beside};
 use std::collections::BTreeMap;
 
 const STEPS: f32 = 64.0;
@@ -72,9 +72,9 @@ fn name(cloud: Option<usize>, step: u8) -> String {
     cloud.map_or_else(|| format!("alpha_{step}"), |cloud| format!("cloud_{}_alpha_{step}", cloud + 1))
 }
 
-/// What the sheet's colours and alpha are multiplied with.
+/// What the sheet's alpha is multiplied with; its colours too, which no one reads, as Blender takes alpha's factor from them.
 fn scale(text: &mut Text, alpha: f64, course: Option<&Course>) {
-    let scale = |alpha: f64| format!("(1,1,1,{})", Number(alpha, super::FINE_STEPS));
+    let scale = |alpha: f64| Tuple::of([alpha; 4], FINE_STEPS);
     match course {
         Some(course) => {
             let samples = course.formed.iter().map(|(time, share)| (code(*time), scale(alpha * share)));

@@ -181,8 +181,8 @@ fn quads_are_those_that_are_drawn() {
     let scene = heap(30);
     let derived = Derived::new(&scene);
     let (stage, png, _) = stage(&scene);
-    let cloud_prim = stage.at("Sky/Clouds").children.values().next().expect("a cloud");
-    let mesh = cloud_prim.at("sprites");
+    let (name, cloud_prim) = stage.at("Sky/Clouds").children.iter().next().expect("a cloud");
+    let mesh = cloud_prim.at(name);
     let points = mesh.numbers::<3>("point3f[] points");
     let colors = mesh.numbers::<3>("color3f[] primvars:displayColor");
     let opacities = mesh.numbers::<1>("float[] primvars:displayOpacity");
@@ -289,7 +289,7 @@ fn a_cloud_that_forms_is_hidden_until_it_does_and_its_materials_fade_in() {
     for material in materials {
         let samples = material.samples::<4>("float4 inputs:scale");
         assert!(samples.is_sorted_by(|a, b| a.0 < b.0 && a.1[3] <= b.1[3]), "{samples:?}");
-        assert_eq!((samples[0].1[3], samples.iter().all(|sample| sample.1[..3] == [1.0; 3])), (0.0, true));
+        assert_eq!((samples[0].1[3], samples.iter().all(|sample| sample.1 == [sample.1[3]; 4])), (0.0, true));
         assert!(samples[samples.len() - 1].1[3] > 0.0);
     }
 }

@@ -119,7 +119,7 @@ fn all_sprites_are_there_and_copies_share_them() {
 /// Twice the tolerance of glTF's keys: once where keys are set, once where those on a line are dropped.
 #[test]
 fn what_moves_is_near_where_it_is() {
-    const TOLERANCE_M: f64 = 2.0 * cloudwright_core::exchange::glb::TOLERANCE_M + 0.01;
+    const TOLERANCE_M: f64 = 2.0 * cloudwright_core::exchange::motion::TOLERANCE_M + 0.01;
     for name in ["lee", "front", "summer_day"] {
         let scene = shipped(name);
         let derived = Derived::new(&scene);
