@@ -12,6 +12,7 @@ pub mod editor;
 pub mod exchange;
 pub mod opening;
 mod panel;
+mod picture_hdr;
 mod picture_png;
 pub mod plugins;
 pub mod renderer;

@@ -6,7 +6,7 @@
 use clap::ValueEnum;
 use cloudwright_core::draw::{self, Drawn};
 use cloudwright_core::frame::Frame;
-use cloudwright_core::image::Picture;
+use cloudwright_core::image::{LinearPicture, Picture};
 use cloudwright_core::raster::develop;
 use cloudwright_core::rules::{Rasterizer, Rules};
 use cloudwright_core::watch::Watch;
@@ -90,12 +90,24 @@ impl Renderer {
         if let Some(picture) = draw::picture(frame, watch) {
             return Ok(picture);
         }
-        let side = frame.rules.pixels_a_pixel();
-        let (gpu, renderer) = self.adapter()?;
-        if side <= 1 {
-            return Ok(renderer.picture(gpu, frame)?);
+        if frame.rules.pixels_a_pixel() > 1 {
+            return Ok(develop(&self.linear(frame, watch)?, frame.now.exposure));
         }
-        Ok(develop(&renderer.linear_picture(gpu, frame)?.reduced(side), frame.now.exposure))
+        let (gpu, renderer) = self.adapter()?;
+        Ok(renderer.picture(gpu, frame)?)
+    }
+
+    /// As [`Renderer::picture`], in linear light, before exposure.
+    ///
+    /// # Errors
+    /// As [`Renderer::picture`].
+    pub fn linear(&mut self, frame: &Frame<'_>, watch: &Watch) -> Result<LinearPicture, RenderError> {
+        if let Some(linear) = draw::linear(frame, watch) {
+            return Ok(linear);
+        }
+        let (gpu, renderer) = self.adapter()?;
+        let (linear, side) = (renderer.linear_picture(gpu, frame)?, frame.rules.pixels_a_pixel());
+        Ok(if side > 1 { linear.reduced(side) } else { linear })
     }
 
     /// `frame` for figures. The truth as in [`Renderer::picture`].

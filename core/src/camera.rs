@@ -23,6 +23,9 @@ pub struct View {
     pub width: u32,
     /// Pixels.
     pub height: u32,
+    /// Of a side of a panorama ([`crate::panorama`]) the up of its camera, which all sides share; none for a picture by
+    /// itself. Only the CPU draws such views.
+    pub of_panorama: Option<Vec3>,
 }
 
 impl View {
@@ -46,7 +49,19 @@ impl View {
             tan_half_height: libm::tan((camera.field_of_view_deg * 0.5).to_radians()) as f32,
             width: width.max(1),
             height: height.max(1),
+            of_panorama: None,
         }
+    }
+
+    /// The up by which sprites straight above and below the eye are turned.
+    pub fn up_at_poles(&self) -> Vec3 {
+        self.of_panorama.unwrap_or(self.up)
+    }
+
+    /// The depth, metres, that says how fine an eye-relative point's surroundings are drawn: the view depth, but in a
+    /// panorama what all its sides agree on, the distance.
+    pub fn depth_of_detail(&self, point: Vec3) -> f32 {
+        if self.of_panorama.is_some() { point.length() } else { self.depth(point) }
     }
 
     /// Length of a pixel's side on a plane at distance 1.

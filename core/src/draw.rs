@@ -3,8 +3,9 @@
 //! This is the one place that decides what draws. A GPU is not here: whoever has one draws the frames that ask for it.
 
 use crate::frame::Frame;
-use crate::image::{Layer, LinearPicture, Picture};
+use crate::image::{Layer, Layers, LinearPicture, Picture};
 use crate::measure::Counts;
+use crate::raster::layers::{self, Later};
 use crate::raster::{develop, fast, plain, truth};
 use crate::rules::Rasterizer;
 use crate::variants::eight_bits;
@@ -40,17 +41,33 @@ pub fn drawn(frame: &Frame<'_>, watch: &Watch) -> Option<Drawn> {
 /// Draws `frame` as a display shows it, with no more work than that takes; none on a GPU. The truth, which may take
 /// long, tells `watch` how far it is, and leaves the rest black once that is cancelled.
 pub fn picture(frame: &Frame<'_>, watch: &Watch) -> Option<Picture> {
+    match frame.rules.rasterizer {
+        Rasterizer::Fast { stop_below } if frame.rules.pixels_a_pixel() == 1 => {
+            Some(fast::picture_stopping(frame, stop_below))
+        }
+        _ => Some(develop(&linear(frame, watch)?, frame.now.exposure)),
+    }
+}
+
+/// As [`picture`], in linear light, before exposure.
+pub fn linear(frame: &Frame<'_>, watch: &Watch) -> Option<LinearPicture> {
     let side = frame.rules.pixels_a_pixel();
     let linear = match frame.rules.rasterizer {
-        Rasterizer::Fast { stop_below } if side == 1 => return Some(fast::picture_stopping(frame, stop_below)),
         Rasterizer::Fast { stop_below } => fast::linear_picture_stopping(frame, stop_below),
         Rasterizer::Truth => truth::linear_picture(frame, frame.rules.samples_side, watch),
         Rasterizer::Plain => plain::linear_picture(frame),
         Rasterizer::EightBits => eight_bits::linear_picture(frame),
         Rasterizer::Gpu => return None,
     };
-    let linear = if side > 1 { linear.reduced(side) } else { linear };
-    Some(develop(&linear, frame.now.exposure))
+    Some(if side > 1 { linear.reduced(side) } else { linear })
+}
+
+/// `frame` in layers, with the motion until `later`, which was made by the same rules; none unless the fast renderer
+/// draws it.
+pub fn layers(frame: &Frame<'_>, later: &Later<'_>) -> Option<Layers> {
+    let Rasterizer::Fast { stop_below } = frame.rules.rasterizer else { return None };
+    let (layers, side) = (layers::layers(frame, later, stop_below), frame.rules.pixels_a_pixel());
+    Some(if side > 1 { layers.reduced(side) } else { layers })
 }
 
 /// Counts what drawing `frame` takes. The truth blends and sorts the fragments of each sample.

@@ -37,6 +37,8 @@ pub struct Frame<'a> {
     pub fading: Option<(DrawList, f32)>,
     /// Before everything: the air inside a cloud.
     pub veil: Veil,
+    /// What the sun adds to the veil's colour; the rest is the sky's.
+    pub veil_directional: Rgb,
     /// Their tiles.
     pub atlas: &'a Atlas,
     /// By which rules it is drawn.
@@ -58,10 +60,9 @@ impl<'a> Frame<'a> {
 
     /// As [`Frame::new`], but without aircraft, of a scene `now`, whatever the sight's moment is.
     pub fn of(now: SceneNow<'a>, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
-        let Sight { camera, size, hidden, history, rules, .. } = sight;
+        let Sight { hidden, history, rules, .. } = sight;
         let (clouds, clouds_version) = (&now.clouds, derived.version());
-        let [width, height] = size.map(|length| length * rules.pixels_a_pixel());
-        let view = View::new(camera, width, height);
+        let view = sight.view();
         let subset = &Subset::new(rules.detail, clouds, atlas);
         let mut poses = Poses::new(&rules.facing, clouds, derived.shapes(), &view, &history.facing);
         if !subset.is_all() {
@@ -69,11 +70,13 @@ impl<'a> Frame<'a> {
         }
         let choice = Choice { clouds, poses: &poses, subset, hidden };
         let (order, fading) = history.order.orders();
+        let (veil, veil_directional) = veil((clouds, &poses), (&view, &now.light, atlas, hidden), now.inside_density);
         Self {
             background: background(&now, view.eye),
             list: DrawList::new(&choice, &view, order),
             fading: fading.map(|(order, share)| (DrawList::new(&choice, &view, Some(order)), share)),
-            veil: veil((clouds, &poses), (&view, &now.light, atlas, hidden), now.inside_density),
+            veil,
+            veil_directional,
             clouds: derived.clouds(),
             clouds_version,
             atlas,

@@ -1,5 +1,9 @@
 //! Pictures in memory.
 
+mod layered;
+
+pub use layered::{LayeredPixel, Layers};
+
 use crate::color::{Premultiplied, Rgb};
 use std::ops::{Add, Mul};
 

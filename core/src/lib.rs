@@ -29,6 +29,7 @@ pub mod measure;
 pub mod method;
 pub mod model_in_view;
 pub mod model_mesh;
+pub mod panorama;
 pub mod posed_sprite;
 pub mod preset;
 pub mod problem;

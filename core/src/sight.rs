@@ -1,7 +1,9 @@
 //! How a scene is looked at, for one frame.
 
+use crate::camera::View;
 use crate::draw_list::Hidden;
 use crate::model_in_view::Meshes;
+use crate::panorama::Facet;
 use crate::rules::Rules;
 use crate::scene::Camera;
 use crate::view_history::ViewHistory;
@@ -25,6 +27,8 @@ pub struct Sight {
     pub history: Arc<ViewHistory>,
     /// By which rules it is drawn.
     pub rules: Rules,
+    /// Of a panorama, which side is looked at from where the camera is; none for what the camera sees.
+    pub facet: Option<Facet>,
 }
 
 impl Sight {
@@ -38,6 +42,17 @@ impl Sight {
             meshes: Meshes::default(),
             history: Arc::default(),
             rules: Rules::SHIPPED,
+            facet: None,
+        }
+    }
+
+    /// The eye, with as many pixels as the rules take samples.
+    pub fn view(&self) -> View {
+        let scale = self.rules.pixels_a_pixel();
+        let [width, height] = self.size.map(|length| length * scale);
+        match self.facet {
+            Some(facet) => facet.view(&self.camera, self.size[0], scale),
+            None => View::new(&self.camera, width, height),
         }
     }
 }

@@ -7,7 +7,7 @@ mod known;
 
 use super::failure::Failure;
 use super::progress::Progress;
-use super::{answer, arguments, input, render, say};
+use super::{answer, arguments, input, picture, say};
 use crate::chart::charted::Charted;
 use crate::chart::report::Report;
 use crate::chart::run::Run;
@@ -86,7 +86,7 @@ Methods:\n"
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    render::check_memory(arguments.size, 2)?;
+    picture::check_memory(arguments.size, 2, 1)?;
     let (scene, beside) = opening::open(&arguments.scene)?;
     let (camera, path) = eye(&scene, arguments)?;
     let derived = Derived::new(&scene);

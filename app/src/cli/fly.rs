@@ -9,13 +9,16 @@ mod video;
 
 use super::failure::Failure;
 use super::painter::{Painter, PainterArguments};
+use super::picture::{self, Kind, Said};
 use super::progress::Progress;
-use super::{arguments, input, render, say};
+use super::{arguments, input, say};
 use crate::units::time_of_day;
-use crate::{opening, picture_png, storage};
+use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::frame::Frame;
+use cloudwright_core::raster::layers::Later;
+use cloudwright_core::scene::Camera;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::Moment;
@@ -32,8 +35,9 @@ use std::path::{Path, PathBuf};
   cloudwright fly fair_weather.cloudscene --path through -o smooth.mp4 --samples 4 --sorting crossfade
   cloudwright fly summer_day.cloudscene --still main -o day.mp4
   cloudwright fly summer_day.cloudscene --still main --seconds 10 --fps 24 -o pictures
+  cloudwright fly fair_weather.cloudscene --path through -o pictures --format exr --layers
 
-Frame I shows the scene I / FPS seconds after the clock's 0, as PATH_0000I.png or still_CAMERA_0000I.png; in PATH and CAMERA, letters and numbers are the name's. It is the same alone or in a sequence. From a camera it is what render --at draws: sprites near it face it, whatever it has seen before.
+Frame I shows the scene I / FPS seconds after the clock's 0, as PATH_0000I.png or still_CAMERA_0000I.png; in PATH and CAMERA, letters and numbers are the name's. It is the same alone or in a sequence, so several machines may share a flight by --frames. What --layers writes, `cloudwright render --help` tells. From a camera it is what render --at draws: sprites near it face it, whatever it has seen before.
 Frames that are there already, whole and of the same size, are kept: a run that was broken off goes on. Empty the folder
 when scene or options have changed. A video needs ffmpeg; its frames stay in a folder beside it, OUT_frames.")]
 pub(super) struct Arguments {
@@ -51,8 +55,8 @@ pub(super) struct Arguments {
     /// Folder to write the frames to, or a video, .mp4
     #[arg(short, long, value_name = "DIR|MP4")]
     output: PathBuf,
-    /// Frames to draw, from A up to but without B; all if not given
-    #[arg(long, value_name = "A..B", value_parser = frames::range)]
+    /// Frames to draw, from A up to but without B, or as farms write it, A-B, with B; all if not given
+    #[arg(long, value_name = "A..B|A-B", value_parser = frames::range)]
     frames: Option<Range<u32>>,
     /// Frames a second, 1 to 240
     #[arg(long, value_name = "N", default_value_t = 30, value_parser = clap::value_parser!(u32).range(1..=240))]
@@ -60,6 +64,12 @@ pub(super) struct Arguments {
     /// Width and height in pixels
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = arguments::picture_size)]
     size: [u32; 2],
+    /// What each frame is written as
+    #[arg(long, value_enum, default_value_t = Kind::Png)]
+    format: Kind,
+    /// Write the layers for compositing too, into OpenEXR files
+    #[arg(long)]
+    layers: bool,
     #[command(flatten)]
     painter: PainterArguments,
     /// Time of day; the scene's if not given
@@ -81,13 +91,23 @@ enum SortingChoice {
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_video = video::is_name(&arguments.output);
-    let mut rules = arguments.painter.rules()?;
+    let kind = arguments.format;
+    if is_video && kind != Kind::Png {
+        let what = format!("--format {}: a video is made of PNG frames", kind.ending());
+        return Err(Failure::argument(what, "leave it out, or write the frames to a folder"));
+    }
+    let painting = if arguments.layers { kind.layered(&arguments.painter)? } else { arguments.painter.clone() };
+    let mut rules = painting.rules()?;
     match arguments.sorting {
         Some(SortingChoice::EachFrame) => rules.sorting = Sorting::EachFrame,
         Some(SortingChoice::Crossfade) => rules.sorting = Sorting::Crossfade,
         None => {}
     }
-    render::check_memory(arguments.size, rules.pixels_a_pixel())?;
+    picture::check_memory(
+        arguments.size,
+        rules.pixels_a_pixel(),
+        if arguments.layers { picture::IN_LAYERS } else { 1 },
+    )?;
     if is_video {
         video::check_size(arguments.size)?;
     }
@@ -96,13 +116,15 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         (Some(path), _) => Eye::along(input::path(&scene, &arguments.scene, path)?, rules),
         (None, camera) => {
             let camera = input::camera(&scene, &arguments.scene, camera.as_deref())?;
-            Eye::still(camera, arguments.seconds, (&scene, &arguments.scene))?
+            let asked_s = arguments.frames.as_ref().map(|frames| f64::from(frames.end) / f64::from(arguments.fps));
+            Eye::still(camera, (arguments.seconds, asked_s), (&scene, &arguments.scene))?
         }
     };
     let numbers = frames::chosen(arguments.frames.clone(), eye.duration_s(), arguments.fps)?;
     let folder = if is_video { video::frames_folder(&arguments.output) } else { arguments.output.clone() };
     let name = frames::file_name_of(eye.thing(), &scene);
-    let frames = Frames { folder, name, size: arguments.size, numbers: numbers.clone() };
+    let frames =
+        Frames { folder, name, kind, in_layers: arguments.layers, size: arguments.size, numbers: numbers.clone() };
     let spare = |output: &Path| input::spare_inputs(&scene, &arguments.scene, output);
     frames.there().iter().try_for_each(|frame| spare(frame))?;
     if is_video {
@@ -112,7 +134,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let _folder = frames.make_folder()?;
 
     let derived = Derived::new(&scene);
-    let mut painter = Painter::new(&arguments.painter, rules)?;
+    let mut painter = Painter::new(&painting, rules)?;
     let progress = Progress::start("flying");
     let mut kept = 0;
     for (done, number) in numbers.clone().enumerate() {
@@ -121,21 +143,22 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
             kept += 1;
             continue;
         }
-        let clock_s = f64::from(number) / f64::from(arguments.fps);
-        let (camera, history) = eye.at(&derived, clock_s);
-        let sight = Sight {
+        let clock_of = |number| f64::from(number) / f64::from(arguments.fps);
+        let sight_at = |camera: &Camera, clock_s| Sight {
             moment: Moment { clock_s, time_h: arguments.time },
             meshes: beside.meshes().clone(),
-            history,
             rules: painter.rules,
-            ..Sight::still(&camera, arguments.size)
+            ..Sight::still(camera, arguments.size)
         };
+        let (clock_s, next_s) = (clock_of(number), clock_of(number.saturating_add(1)));
+        let (camera, history) = eye.at(&derived, clock_s);
+        let later =
+            arguments.layers.then(|| Later::new(&scene, &derived, &sight_at(&eye.camera_at(&derived, next_s), next_s)));
+        let sight = Sight { history, ..sight_at(&camera, clock_s) };
         let frame = Frame::new(&scene, &derived, beside.sheet(), &sight);
-        let picture = painter.picture(frame, &Watch::default())?;
-        let png = picture_png::encode(&picture).map_err(|error| {
-            Failure::could_not(format!("frame {number} can't be packed: {error}"), "try a smaller --size")
-        })?;
-        storage::write_one_of_many(&frames.file(number), &png)?;
+        let said = Said { frames_a_second: Some(arguments.fps), ..Said::new(&scene.name, eye.name(), clock_s, &frame) };
+        let bytes = kind.draw(&mut painter, (frame, later.as_ref()), &said, &Watch::default())?;
+        storage::write_one_of_many(&frames.file(number), &bytes)?;
     }
     drop(progress);
     say(&format!("frames: {} drawn, {kept} kept, in {}", numbers.len() - kept, frames.folder.display()));

@@ -18,6 +18,7 @@ mod input;
 mod misspelt;
 mod new;
 mod painter;
+mod picture;
 mod plugins;
 mod progress;
 mod render;

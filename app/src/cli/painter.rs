@@ -4,14 +4,16 @@
 use super::failure::Failure;
 use super::{arguments, say};
 use crate::renderer::{RenderError, Renderer, RendererChoice};
+use cloudwright_core::draw;
 use cloudwright_core::frame::Frame;
-use cloudwright_core::image::Picture;
+use cloudwright_core::image::{Layers, LinearPicture, Picture};
 use cloudwright_core::method::{self, Method};
+use cloudwright_core::raster::layers::Later;
 use cloudwright_core::rules::{Rasterizer, Rules};
 use cloudwright_core::watch::Watch;
 
 /// What may be asked for. A method says what draws and how; `--samples` goes before its own.
-#[derive(Debug, clap::Args)]
+#[derive(Debug, Clone, clap::Args)]
 pub(super) struct PainterArguments {
     /// What draws
     #[arg(long, value_enum, default_value_t)]
@@ -41,6 +43,21 @@ pub(super) struct Painter {
 impl PainterArguments {
     fn method(&self) -> Option<&'static Method> {
         if self.truth { Some(method::truth()) } else { self.method }
+    }
+
+    /// The same, for what only the CPU does: `what` asks for it.
+    ///
+    /// # Errors
+    /// If a GPU is asked for.
+    pub(super) fn in_software(&self, what: &str) -> Result<Self, Failure> {
+        if self.renderer == RendererChoice::Gpu || self.rules()?.rasterizer == Rasterizer::Gpu {
+            let (asked, hint) = match self.method {
+                Some(method) => (format!("--method {}", method.name), "leave the method out"),
+                None => ("--renderer gpu".to_owned(), "use --renderer cpu, or auto"),
+            };
+            return Err(Failure::argument(format!("{what} with {asked}: only the CPU does that"), hint));
+        }
+        Ok(Self { renderer: RendererChoice::Cpu, ..self.clone() })
     }
 
     /// What is asked for, as the CPU would do it unless a method says otherwise.
@@ -87,9 +104,27 @@ impl Painter {
     }
 
     /// The picture of `frame`, which was made by the painter's rules. The truth tells `watch` how far it is.
-    pub(super) fn picture(&mut self, mut frame: Frame<'_>, watch: &Watch) -> Result<Picture, RenderError> {
+    pub(super) fn picture(&mut self, frame: Frame<'_>, watch: &Watch) -> Result<Picture, RenderError> {
+        self.draw(frame, |renderer, frame| renderer.picture(frame, watch))
+    }
+
+    /// As [`Painter::picture`], in linear light.
+    pub(super) fn linear(&mut self, frame: Frame<'_>, watch: &Watch) -> Result<LinearPicture, RenderError> {
+        self.draw(frame, |renderer, frame| renderer.linear(frame, watch))
+    }
+
+    /// As [`Painter::picture`], in layers; none by rules that keep none ([`PainterArguments::in_software`]).
+    pub(super) fn layers(&mut self, frame: Frame<'_>, later: &Later<'_>) -> Result<Option<Layers>, RenderError> {
+        self.draw(frame, |_, frame| Ok(draw::layers(frame, later)))
+    }
+
+    fn draw<T>(
+        &mut self,
+        mut frame: Frame<'_>,
+        draw: impl Fn(&mut Renderer, &Frame<'_>) -> Result<T, RenderError>,
+    ) -> Result<T, RenderError> {
         if frame.rules.rasterizer == Rasterizer::Gpu {
-            match self.renderer.picture(&frame, watch) {
+            match draw(&mut self.renderer, &frame) {
                 Err(error) if self.gives_way => say(&format!("renderer: CPU, because {error}")),
                 done => return done,
             }
@@ -100,6 +135,6 @@ impl Painter {
             say("aircraft are left out: only a GPU draws them");
             self.has_told = true;
         }
-        self.renderer.picture(&frame, watch)
+        draw(&mut self.renderer, &frame)
     }
 }

@@ -1,19 +1,24 @@
 //! `cloudwright render`: a picture of a scene, without a window.
 
+mod panorama;
+
 use super::failure::Failure;
 use super::painter::{Painter, PainterArguments};
+use super::picture::{self, Kind, Said};
 use super::progress::Progress;
-use super::{arguments, counted, input};
+use super::{arguments, input};
 use crate::units::time_of_day;
-use crate::{opening, picture_png, storage};
+use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
+use cloudwright_core::raster::layers::Later;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::weather::Moment;
+use panorama::Projection;
 use std::path::PathBuf;
 
-/// Samples of one picture held in memory at once: 4K with 16 samples a pixel fits, some 4 GB at the most.
-const MAX_SAMPLES: u64 = 1 << 27;
+/// How long a still's picture is taken to last: motion is what happens within it.
+const STILL_S: f64 = 1.0 / 24.0;
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -22,12 +27,19 @@ const MAX_SAMPLES: u64 = 1 << 27;
   cloudwright render storm.cloudscene -o smooth.png --samples 4 --renderer cpu
   cloudwright render storm.cloudscene -o truth.png --truth --samples 64
   cloudwright render storm.cloudscene -o half.png --method half
-  cloudwright render summer_day.cloudscene -o evening.png --at 45")]
+  cloudwright render summer_day.cloudscene -o evening.png --at 45
+  cloudwright render storm.cloudscene -o storm.exr --layers
+  cloudwright render storm.cloudscene -o sky.hdr --panorama equirect --size 4096x2048
+  cloudwright render storm.cloudscene -o sky.png --panorama cube --size 1024x1024
+
+An OpenEXR or HDR file holds linear light before exposure and tone curve. With --layers an OpenEXR file has, beside the picture in R, G, B: ambient, directional and haze (on the clouds, premultiplied), alpha, depth.Z (mean distance of the clouds, metres), motion.X and .Y (their mean motion in pixels a frame, to the right and up; in a still within 1/24 s), sky, ground (.A is the share of the pixel that it fills), and models, which are empty: only a GPU draws aircraft, and layers are drawn on the CPU. It is picture = ambient + directional + haze + (1 - alpha) * (sky + ground).
+
+A panorama goes by the world's axes. The equirect map has south (+z) in its middle, east (+x) a quarter to the left and straight up at its top, as OpenEXR's maps of latitude and longitude. Each side of the cube is what a camera of 90 degrees sees, not mirrored: heading 90 for east, 0 for north; up has south at its top, down north.")]
 pub(super) struct Arguments {
     /// Scene to draw
     scene: PathBuf,
-    /// PNG to write
-    #[arg(short, long, value_name = "PNG")]
+    /// PNG, OpenEXR or Radiance HDR to write, by its ending
+    #[arg(short, long, value_name = "PNG|EXR|HDR")]
     output: PathBuf,
     /// Name of the camera; the scene's first if not given
     #[arg(long, value_name = "NAME")]
@@ -39,61 +51,47 @@ pub(super) struct Arguments {
     /// where aircraft are
     #[arg(long, value_name = "SECONDS", default_value_t = 0.0, value_parser = arguments::seconds)]
     at: f64,
-    /// Width and height in pixels
-    #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = arguments::picture_size)]
-    size: [u32; 2],
+    /// Width and height in pixels; if not given, 1280x720, or 2048x1024 of a map, or 1024x1024 of each side of a cube
+    #[arg(long, value_name = "WxH", value_parser = arguments::picture_size)]
+    size: Option<[u32; 2]>,
+    /// All around the camera's place, whichever way it looks
+    #[arg(long, value_enum, value_name = "PROJECTION", conflicts_with = "layers")]
+    panorama: Option<Projection>,
+    /// Write the layers for compositing too, into an OpenEXR file
+    #[arg(long)]
+    layers: bool,
     #[command(flatten)]
     painter: PainterArguments,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    check_output_name(arguments)?;
-    let rules = arguments.painter.rules()?;
+    if let Some(projection) = arguments.panorama {
+        return panorama::run(arguments, projection);
+    }
+    let size = arguments.size.unwrap_or([1280, 720]);
+    let kind = Kind::of(&arguments.output)?;
+    let painting = if arguments.layers { kind.layered(&arguments.painter)? } else { arguments.painter.clone() };
+    let rules = painting.rules()?;
     let (scene, beside) = opening::open(&arguments.scene)?;
     let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
     input::check_output(&scene, &arguments.scene, &arguments.output)?;
-    check_memory(arguments.size, rules.pixels_a_pixel())?;
+    picture::check_memory(size, rules.pixels_a_pixel(), if arguments.layers { picture::IN_LAYERS } else { 1 })?;
     let derived = Derived::new(&scene);
-    let mut painter = Painter::new(&arguments.painter, rules)?;
-    let sight = Sight {
-        moment: Moment { clock_s: arguments.at, time_h: arguments.time },
+    let mut painter = Painter::new(&painting, rules)?;
+    let sight_at = |clock_s: f64, time_h| Sight {
+        moment: Moment { clock_s, time_h },
         meshes: beside.meshes().clone(),
         rules: painter.rules,
-        ..Sight::still(&derived.timeline().camera_at(camera, arguments.at), arguments.size)
+        ..Sight::still(&derived.timeline().camera_at(camera, clock_s), size)
     };
+    let sight = sight_at(arguments.at, arguments.time);
+    let later =
+        arguments.layers.then(|| Later::new(&scene, &derived, &sight_at(arguments.at + STILL_S, arguments.time)));
     let progress = Progress::start("rendering");
     let frame = Frame::new(&scene, &derived, beside.sheet(), &sight);
-    let picture = painter.picture(frame, progress.watch())?;
+    let said = Said::new(&scene.name, &camera.name, arguments.at, &frame);
+    let bytes = kind.draw(&mut painter, (frame, later.as_ref()), &said, progress.watch())?;
     drop(progress);
-    let png = picture_png::encode(&picture)
-        .map_err(|error| Failure::could_not(format!("the picture can't be packed: {error}"), "try a smaller --size"))?;
-    storage::write_atomic(&arguments.output, &png)?;
+    storage::write_atomic(&arguments.output, &bytes)?;
     Ok(())
-}
-
-fn check_output_name(arguments: &Arguments) -> Result<(), Failure> {
-    let output = &arguments.output;
-    if output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("png")) {
-        return Ok(());
-    }
-    Err(Failure::argument(
-        format!("--output {}: a picture is written as PNG", output.display()),
-        "end its name in .png",
-    ))
-}
-
-/// That the samples of one picture fit into memory.
-pub(super) fn check_memory([width, height]: [u32; 2], side: u32) -> Result<(), Failure> {
-    let samples = u64::from(width) * u64::from(height) * u64::from(side * side);
-    if samples <= MAX_SAMPLES {
-        return Ok(());
-    }
-    Err(Failure::argument(
-        format!(
-            "--size {width}x{height} with {} a pixel is {} million samples",
-            counted((side * side) as usize, "sample", "samples"),
-            samples / 1_000_000
-        ),
-        format!("stay within {} million: lower --size or --samples", MAX_SAMPLES / 1_000_000),
-    ))
 }

@@ -66,6 +66,7 @@ impl Memory {
             meshes: session.beside().meshes().clone(),
             history: Arc::clone(history),
             rules: *rules,
+            facet: None,
         }
     }
 

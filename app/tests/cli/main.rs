@@ -11,6 +11,7 @@ mod bad_scenes;
 mod chart;
 mod exchange;
 mod fly;
+mod frames;
 mod gpu;
 mod inputs;
 mod killed;

@@ -181,7 +181,7 @@ impl DrawList {
     /// How a sprite of the list stands before the eye of `view`, which the list was made for.
     pub fn pose(&self, drawn: &DrawSprite, view: &View) -> Pose {
         let own = self.poses.get(drawn.pose as usize).copied();
-        own.unwrap_or_else(|| Pose::facing_eye(drawn.center, view.up))
+        own.unwrap_or_else(|| Pose::facing_eye(drawn.center, view.up_at_poles()))
     }
 }
 

@@ -87,7 +87,9 @@ impl FacingMemory {
         // Without a history the poles are the still's affair.
         let polar_too = last.is_some();
         if !before.is_empty() || to_eye.is_near(cloud) || (polar_too && to_eye.is_polar(cloud)) {
-            to_eye.each(cloud, before, rule, (polar_too, view.up), |sprite, _| found(sprite.sprite, sprite.pose));
+            to_eye.each(cloud, before, rule, (polar_too, view.up_at_poles()), |sprite, _| {
+                found(sprite.sprite, sprite.pose);
+            });
         }
     }
 

@@ -51,7 +51,7 @@ impl Pose {
 
     /// The pose of a sprite of `radius` metres in a still, at any distance.
     pub fn still(center: Vec3, radius: f32, view: &View) -> Self {
-        let pose = Self::facing_eye(center, view.up);
+        let pose = Self::facing_eye(center, view.up_at_poles());
         let fade = lock(-center, pose.towards, lock_distance(radius)).fade;
         Self { fade: fade * near_fade(center.length(), near_reach(view)), ..pose }
     }

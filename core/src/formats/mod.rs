@@ -9,6 +9,7 @@ pub mod metar;
 mod misread;
 pub mod mitsuba_vol;
 pub mod model_glb;
+pub mod picture_exr;
 pub mod pretty_json;
 pub mod scene_file;
 pub mod schema;

@@ -7,12 +7,13 @@
 
 pub(crate) mod bins;
 pub mod fast;
+pub mod layers;
 pub mod plain;
 mod prepare;
 pub mod truth;
 
 pub(crate) use prepare::FINER;
-pub use prepare::{Hit, Linear, ScreenSprite, prepare, prepare_alone, trilinear};
+pub use prepare::{Glow, Hit, Linear, ScreenSprite, prepare, prepare_alone, trilinear};
 
 use crate::frame::Frame;
 use crate::image::{LinearPicture, Picture};

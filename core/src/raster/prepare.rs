@@ -67,6 +67,15 @@ pub struct ScreenSprite {
     pub outline: Option<[Vec2; 4]>,
 }
 
+/// Light that a sprite shows: what its tile's colour is multiplied with, and what is added whatever that colour.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Glow {
+    /// Linear light at top left, top right, bottom right, bottom left.
+    pub corners: [[f32; 3]; 4],
+    /// For a fragment of alpha 1.
+    pub added: [f32; 3],
+}
+
 /// Where a ray meets a sprite.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Hit {
@@ -117,7 +126,7 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite, fade:
     let anchor = view.project(drawn.center).map_or(size * 0.5, Vec2::floor).clamp(Vec2::ZERO, size);
     let plane = Plane::new(view, anchor, drawn.center, facing.right.cross(facing.up));
     let outline = outline(view, &quad);
-    let depth = view.depth(drawn.center).max(NEAR_M);
+    let depth = view.depth_of_detail(drawn.center).max(NEAR_M);
     let texels_a_pixel = TILE_SIZE as f32 * view.pixel() / (sprite.width * sprite.height).sqrt();
     let mip = match frame.rules.filter {
         Filter::MipLevels => sharpened((texels_a_pixel * depth).log2() + FINER),
@@ -227,18 +236,41 @@ impl ScreenSprite {
     /// What it shows there at a mip level; nothing where it is clear.
     #[inline]
     pub fn shown(&self, atlas: &Atlas, u: f32, v: f32, mip: f32) -> Option<Premultiplied> {
+        let ([[r, g, b]], a) = self.shown_by(&[self.glow()], atlas, (u, v), mip)?;
+        Some(Premultiplied { r, g, b, a })
+    }
+
+    /// The colour of each of these lights there, premultiplied, and the alpha.
+    #[inline]
+    pub fn shown_by<const G: usize>(
+        &self,
+        lights: &[Glow; G],
+        atlas: &Atlas,
+        (u, v): (f32, f32),
+        mip: f32,
+    ) -> Option<([[f32; 3]; G], f32)> {
         let texel = trilinear(atlas, self.tile, u, v, mip);
         if texel[3] == 0.0 {
             return None;
         }
-        let [top_left, top_right, bottom_right, bottom_left] = self.corners;
-        let light: [f32; 4] = std::array::from_fn(|c| {
-            let top = top_left[c] + u * (top_right[c] - top_left[c]);
-            let bottom = bottom_left[c] + u * (bottom_right[c] - bottom_left[c]);
+        let between = |[top_left, top_right, bottom_right, bottom_left]: [f32; 4]| {
+            let top = top_left + u * (top_right - top_left);
+            let bottom = bottom_left + u * (bottom_right - bottom_left);
             top + v * (bottom - top)
+        };
+        let alpha = between(self.corners.map(|corner| corner[3]));
+        let shown = lights.each_ref().map(|glow| {
+            std::array::from_fn(|c| {
+                alpha * (texel[c] * between(glow.corners.map(|corner| corner[c])) + texel[3] * glow.added[c])
+            })
         });
-        let channel = |c: usize| light[3] * (texel[c] * light[c] + texel[3] * self.haze[c]);
-        Some(Premultiplied { r: channel(0), g: channel(1), b: channel(2), a: light[3] * texel[3] })
+        Some((shown, alpha * texel[3]))
+    }
+
+    /// All its light together.
+    #[inline]
+    pub fn glow(&self) -> Glow {
+        Glow { corners: self.corners.map(|[r, g, b, _]| [r, g, b]), added: self.haze }
     }
 }
 

@@ -22,15 +22,15 @@ pub(crate) const MOST_OPAQUE: f32 = 0.995;
 /// Of a ball's depth, what lies before an eye inside it.
 pub(crate) const BEFORE_THE_EYE: f32 = 0.5;
 
-/// The veil around the eye of `view`. `density` scales its optical depth: 0 for none, 1 as dense as the sprites.
+/// The veil around the eye of `view`, and the sun's share of its colour. `density` scales its optical depth: 0 for none, 1 as dense as the sprites.
 pub fn veil(
     (clouds, poses): (&[CloudNow<'_>], &Poses),
     (view, light, atlas, hidden): (&View, &Light, &Atlas, &Hidden),
     density: f32,
-) -> Veil {
-    let (mut depth, mut lit) = (0.0_f32, Rgb::BLACK);
+) -> (Veil, Rgb) {
+    let (mut depth, mut lit, mut sunlit) = (0.0_f32, Rgb::BLACK, Rgb::BLACK);
     if density <= 0.0 {
-        return Veil::CLEAR;
+        return (Veil::CLEAR, Rgb::BLACK);
     }
     for (index, cloud) in clouds.iter().enumerate().filter(|(_, cloud)| !hidden.clouds.contains(&cloud.placed.id)) {
         let eye = (view.eye - cloud.origin()).as_vec3();
@@ -46,18 +46,20 @@ pub fn veil(
             }
             let group = &cloud.groups()[sprite.group as usize];
             let point = rest.position + cloud.at_rest_from(eye - sprite.position);
-            let color = corner_light(point, cloud, group, light).color();
+            let corner = corner_light(point, cloud, group, light);
+            let color = corner.color();
             let condensed = cloud.condensed(posed.sprite as usize);
             let opacity = (color.a * condensed * atlas.mean_opacity(sprite.tile.into())).min(MOST_OPAQUE);
             let share = -libm::log1pf(-opacity) * BEFORE_THE_EYE * gone;
             depth += share;
             lit = lit + color.rgb * share;
+            sunlit = sunlit + corner.directional * share;
         }
     }
     if depth <= 0.0 {
-        return Veil::CLEAR;
+        return (Veil::CLEAR, Rgb::BLACK);
     }
     let a = -libm::expm1f(-depth * density);
     let Rgb { r, g, b } = lit * (a / depth);
-    Veil { r, g, b, a }
+    (Veil { r, g, b, a }, sunlit * (a / depth))
 }

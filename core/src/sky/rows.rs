@@ -52,6 +52,12 @@ impl<'a> BackgroundRows<'a> {
         }
     }
 
+    /// Whether the ground lies at the centre of pixel (`x`, `y`).
+    pub fn is_ground(&self, x: u32, y: u32) -> bool {
+        let direction = || self.view.ray(x as f32 + 0.5, y as f32 + 0.5).normalize();
+        self.background.ground.as_ref().is_some_and(|ground| ground.distance(direction()).is_some())
+    }
+
     /// Pixel by pixel.
     fn exact(&self, direction: &impl Fn(usize) -> Vec3, count: usize, out: &mut Planes<MOST>) {
         for x in 0..count {

@@ -60,6 +60,11 @@ impl Playback {
         self.curve.duration_s()
     }
 
+    /// The camera `t_s` seconds from the start; beyond the path's ends that at the end.
+    pub fn camera_at(&self, t_s: f64) -> Camera {
+        self.curve.camera_at(if t_s.is_finite() { t_s.clamp(0.0, self.duration_s()) } else { 0.0 })
+    }
+
     /// The camera `t_s` seconds from the start, and the history as of the last step not after that. Times beyond the
     /// path's ends are its ends. The way is gone anew where the clouds' sprites or places, or what moves them, are not those of the last time;
     /// their colours, light and names are not its affair.
@@ -91,6 +96,6 @@ impl Playback {
             self.steps += 1;
             self.taken += 1;
         }
-        (self.curve.camera_at(t_s), &self.history)
+        (self.camera_at(t_s), &self.history)
     }
 }

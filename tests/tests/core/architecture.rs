@@ -87,11 +87,11 @@ const APP: [&[&str]; 10] = [
     &["saving"],
     &["opening", "plugins", "signals"],
     &["chart", "command", "storage", "thumbnail"],
-    &["picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
+    &["picture_hdr", "picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
 ];
 
 /// The rooms of core from above, in the same way.
-const CORE: [&[&str]; 17] = [
+const CORE: [&[&str]; 18] = [
     &["exchange", "thin"],
     &["draw", "method"],
     &["measure", "variants"],
@@ -106,6 +106,7 @@ const CORE: [&[&str]; 17] = [
     &["detail", "facing", "problem", "sky"],
     &["derived", "flight"],
     &["weather"],
+    &["panorama"],
     &["camera", "property", "sprites"],
     &["image", "model_mesh", "scene", "tone"],
     &["change", "color", "math", "random", "spelling", "version", "watch"],

@@ -21,17 +21,17 @@ impl<'a> Eye<'a> {
         Self::Path(path, Box::new(Playback::new(path, rules)))
     }
 
-    /// From `camera`, for so many `seconds`; up to the last key of all tracks if none are asked for.
+    /// From `camera`, for so many `seconds`; if none are given, up to the last key of all tracks, or where there is none,
+    /// as long as the frames that are `asked` for take.
     pub(super) fn still(
         camera: &'a Camera,
-        seconds: Option<f64>,
+        (seconds, asked): (Option<f64>, Option<f64>),
         (scene, file): (&Scene, &Path),
     ) -> Result<Self, Failure> {
         let last_keys = scene.tracks.iter().filter_map(|track| Some(track.keys.last()?.time_s));
         let last_s = last_keys.fold(0.0, f64::max);
-        match seconds {
+        match seconds.or((last_s > 0.0).then_some(last_s)).or(asked) {
             Some(seconds) => Ok(Self::Still(camera, seconds)),
-            None if last_s > 0.0 => Ok(Self::Still(camera, last_s)),
             None => {
                 let what = format!("{}: tracks: none has a key after second 0", file.display());
                 Err(Failure::argument(what, "say how long to film: --seconds 20"))
@@ -54,6 +54,22 @@ impl<'a> Eye<'a> {
         }
     }
 
+    /// What its path or camera is called.
+    pub(super) fn name(&self) -> &str {
+        match self {
+            Self::Path(path, _) => &path.name,
+            Self::Still(camera, _) => &camera.name,
+        }
+    }
+
+    /// Where it is at `clock_s`.
+    pub(super) fn camera_at(&self, derived: &Derived, clock_s: f64) -> Camera {
+        match self {
+            Self::Path(_, playback) => playback.camera_at(clock_s),
+            Self::Still(camera, _) => derived.timeline().camera_at(camera, clock_s),
+        }
+    }
+
     /// Where it is at `clock_s`, and what it has seen.
     pub(super) fn at(&mut self, derived: &Derived, clock_s: f64) -> (Camera, Arc<ViewHistory>) {
         match self {
@@ -61,7 +77,7 @@ impl<'a> Eye<'a> {
                 let (camera, history) = playback.seek(derived, clock_s);
                 (camera, Arc::clone(history))
             }
-            Self::Still(camera, _) => (derived.timeline().camera_at(camera, clock_s), Arc::default()),
+            Self::Still(..) => (self.camera_at(derived, clock_s), Arc::default()),
         }
     }
 }

@@ -2,20 +2,25 @@
 
 use crate::cli::counted;
 use crate::cli::failure::Failure;
+use crate::cli::picture::Kind;
+use crate::picture_hdr;
 use crate::storage::{self, Folder, StorageError};
+use cloudwright_core::formats::picture_exr;
 use cloudwright_core::scene::{Camera, Scene, Thing};
 use std::io::Cursor;
 use std::ops::Range;
 use std::path::PathBuf;
 
-/// No PNG of the largest picture is larger, bytes.
-const MAX_FRAME_BYTES: usize = 1 << 30;
+/// No PNG of the largest picture is larger, nor any file of layers that fits into memory, bytes.
+const MAX_FRAME_BYTES: usize = 1 << 31;
 
 /// Where the frames of one run lie.
 pub(super) struct Frames {
     pub(super) folder: PathBuf,
     /// Of path or camera, fit for a file's name, and no other's of the scene.
     pub(super) name: String,
+    pub(super) kind: Kind,
+    pub(super) in_layers: bool,
     /// Width and height, pixels.
     pub(super) size: [u32; 2],
     pub(super) numbers: Range<u32>,
@@ -23,16 +28,17 @@ pub(super) struct Frames {
 
 impl Frames {
     pub(super) fn file(&self, number: u32) -> PathBuf {
-        self.folder.join(format!("{}_{number:05}.png", self.name))
+        self.folder.join(format!("{}_{number:05}.{}", self.name, self.kind.ending()))
     }
 
     /// Those that lie there already, from whatever run.
     pub(super) fn there(&self) -> Vec<PathBuf> {
         // On some disks a name in other letters, small or large, is the same.
         let prefix = format!("{}_", self.name).to_lowercase();
+        let suffix = format!(".{}", self.kind.ending());
         let is_frame = |name: &PathBuf| {
             let name = name.to_string_lossy().to_lowercase();
-            let number = name.strip_prefix(&prefix).and_then(|rest| rest.strip_suffix(".png")?.parse().ok());
+            let number = name.strip_prefix(&prefix).and_then(|rest| rest.strip_suffix(&suffix)?.parse().ok());
             number.is_some_and(|number| self.numbers.contains(&number))
         };
         storage::names_in(&self.folder).into_iter().filter(is_frame).map(|name| self.folder.join(name)).collect()
@@ -48,7 +54,11 @@ impl Frames {
 
     /// Whether the frame is there to its last byte, in this size.
     pub(super) fn is_whole(&self, number: u32) -> bool {
-        storage::read(&self.file(number), MAX_FRAME_BYTES).is_ok_and(|bytes| is_whole_png(&bytes, self.size))
+        storage::read(&self.file(number), MAX_FRAME_BYTES).is_ok_and(|bytes| match self.kind {
+            Kind::Png => is_whole_png(&bytes, self.size),
+            Kind::Exr => picture_exr::is_whole(&bytes, self.size, self.in_layers),
+            Kind::Hdr => picture_hdr::is_whole(&bytes, self.size),
+        })
     }
 }
 
@@ -62,12 +72,20 @@ fn is_whole_png(bytes: &[u8], size: [u32; 2]) -> bool {
     reader.next_frame(&mut vec![0; length]).is_ok() && reader.finish().is_ok()
 }
 
-/// `A..B` as frame numbers.
+/// `A..B` as frame numbers; or `A-B`, where B is the last, and `A` alone.
 pub(super) fn range(text: &str) -> Result<Range<u32>, String> {
-    text.split_once("..")
-        .and_then(|(first, end)| Some(first.parse().ok()?..end.parse().ok()?))
+    let number = |text: &str| text.parse::<u32>().ok();
+    let parted = match text.split_once("..") {
+        Some((first, end)) => number(first).zip(number(end)),
+        None => {
+            let (first, last) = text.split_once('-').unwrap_or((text, text));
+            number(first).zip(number(last).and_then(|last| last.checked_add(1)))
+        }
+    };
+    parted
+        .map(|(first, end)| first..end)
         .filter(|range| !range.is_empty())
-        .ok_or_else(|| "write the first frame and the one after the last, such as 0..90".into())
+        .ok_or_else(|| "write the first frame and the one after the last, such as 0..90, or both, such as 0-89".into())
 }
 
 /// The frames asked for, or all of a flight: the first at its start, the last not after its end.
@@ -128,7 +146,9 @@ mod tests {
     #[test]
     fn ranges() {
         assert_eq!(range("4..7"), Ok(4..7));
-        for bad in ["", "..", "4", "4..", "..7", "7..4", "4..4", "4..=7", "-1..3", "0..99999999999"] {
+        assert_eq!((range("4-6"), range("4-4"), range("4")), (Ok(4..7), Ok(4..5), Ok(4..5)));
+        for bad in ["", "..", "-", "4-", "-4", "7-4", "4..", "..7", "7..4", "4..4", "4..=7", "-1..3", "0..99999999999"]
+        {
             assert!(range(bad).is_err(), "{bad}");
         }
     }

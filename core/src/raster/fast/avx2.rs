@@ -4,8 +4,8 @@
 //! multiply-add of 16-bit pairs filters two texels in one instruction. Pixels beside the quad need no mask: texture
 //! coordinates are clamped to the tile, whose border is clear.
 
-use super::super::ScreenSprite;
 use super::super::bins::{TILE, TileRect};
+use super::super::{Glow, ScreenSprite};
 use super::tile::{LANES, Spans, Tile, bits};
 use crate::camera::NEAR_M;
 use crate::sprites::{Atlas, FootprintTable, LEVEL_START, MIP_LEVELS, TABLE, TILE_SIZE};
@@ -20,14 +20,37 @@ pub struct Avx2Blender<'a> {
     atlas: &'a Atlas,
 }
 
-/// A sprite's constants, spread over the lanes where every pixel needs them.
-struct Constants {
+/// A sprite's constants.
+struct Constants<const G: usize> {
     fine: Level,
     /// The next level, and how much of it.
     coarse: Option<(Level, f32)>,
-    /// For red, green, blue, alpha: value at the top left, change along u, along v, and along both.
-    light: [[f32; 4]; 4],
+    alpha: Bilinear,
+    lights: [Shine; G],
     cut_by_near: bool,
+}
+
+/// Value at the top left, change along u, along v, and along both.
+type Bilinear = [f32; 4];
+
+/// A light's constants.
+struct Shine {
+    /// For red, green and blue; none where all is black.
+    corners: Option<[Bilinear; 3]>,
+    added: [f32; 3],
+}
+
+impl Shine {
+    fn new(glow: &Glow) -> Self {
+        let has_corners = glow.corners != [[0.0; 3]; 4];
+        let corners = has_corners.then(|| std::array::from_fn(|c| bilinear(glow.corners.map(|corner| corner[c]))));
+        Self { corners, added: glow.added }
+    }
+}
+
+fn bilinear([top_left, top_right, bottom_right, bottom_left]: [f32; 4]) -> Bilinear {
+    let (along_u, along_v) = (top_right - top_left, bottom_left - top_left);
+    [top_left, along_u, along_v, bottom_right - top_left - along_u - along_v]
 }
 
 #[derive(Clone, Copy)]
@@ -48,47 +71,50 @@ impl<'a> Avx2Blender<'a> {
         (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self { atlas })
     }
 
-    /// Adds `sprite` behind what `tile` shows already. Eight pixels that all let less than `stop_below` through are
-    /// left as they are.
-    pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
+    /// Adds `sprite` in these lights behind what `tile` shows already. Eight pixels that all let less than `stop_below`
+    /// through are left as they are.
+    pub fn draw<const G: usize>(
+        &self,
+        tile: &mut Tile<G>,
+        rect: TileRect,
+        sprite: (&ScreenSprite, &[Glow; G]),
+        stop_below: f32,
+    ) {
         let footprints = self.atlas.footprints();
-        let (alpha_red, green_blue) = (footprints.alpha_red(sprite.tile), footprints.green_blue(sprite.tile));
+        let (alpha_red, green_blue) = (footprints.alpha_red(sprite.0.tile), footprints.green_blue(sprite.0.tile));
         // SAFETY: a blender exists only where `new` found AVX2 and FMA; the functions need nothing else.
         #[allow(unsafe_code)]
         unsafe {
             match green_blue {
-                None => draw::<true>(tile, rect, sprite, alpha_red, alpha_red, stop_below),
-                Some(green_blue) => draw::<false>(tile, rect, sprite, alpha_red, green_blue, stop_below),
+                None => draw::<true, G>(tile, rect, sprite, alpha_red, alpha_red, stop_below),
+                Some(green_blue) => draw::<false, G>(tile, rect, sprite, alpha_red, green_blue, stop_below),
             }
         }
     }
 }
 
-fn constants(sprite: &ScreenSprite) -> Constants {
+fn constants<const G: usize>(sprite: &ScreenSprite, lights: &[Glow; G]) -> Constants<G> {
     let mip = sprite.mip.clamp(0.0, (MIP_LEVELS - 1) as f32);
     let (level, between) = (mip as usize, mip - mip.floor());
-    let [top_left, top_right, bottom_right, bottom_left] = sprite.corners;
     Constants {
         fine: Level::of(level),
         coarse: (between > 0.0).then(|| (Level::of(level + 1), between)),
-        light: std::array::from_fn(|c| {
-            let (along_u, along_v) = (top_right[c] - top_left[c], bottom_left[c] - top_left[c]);
-            [top_left[c], along_u, along_v, bottom_right[c] - top_left[c] - along_u - along_v]
-        }),
+        alpha: bilinear(sprite.corners.map(|corner| corner[3])),
+        lights: lights.each_ref().map(Shine::new),
         cut_by_near: sprite.outline.is_none(),
     }
 }
 
 #[target_feature(enable = "avx2,fma")]
-fn draw<const GREY: bool>(
-    tile: &mut Tile,
+fn draw<const GREY: bool, const G: usize>(
+    tile: &mut Tile<G>,
     rect: TileRect,
-    sprite: &ScreenSprite,
+    (sprite, lights): (&ScreenSprite, &[Glow; G]),
     alpha_red: &FootprintTable,
     green_blue: &FootprintTable,
     stop_below: f32,
 ) {
-    let constants = constants(sprite);
+    let constants = constants(sprite, lights);
     let stop_below = _mm256_set1_ps(stop_below);
     let lanes = _mm256_setr_ps(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
     let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
@@ -124,7 +150,7 @@ fn draw<const GREY: bool>(
                 let before = _mm256_cmp_ps::<_CMP_GE_OQ>(depth, _mm256_set1_ps(NEAR_M));
                 texel = texel.map(|channel| _mm256_and_ps(channel, before));
             }
-            let through = blend(tile, row * (TILE / LANES) + group, &constants.light, sprite.haze, texel, u, v);
+            let through = blend(tile, row * (TILE / LANES) + group, &constants, texel, u, v);
             if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GE_OQ>(through, stop_below)) == 0 {
                 tile.close(row, group);
             }
@@ -132,35 +158,42 @@ fn draw<const GREY: bool>(
     }
 }
 
-/// Adds eight fragments of `texel` (alpha, red, green, blue) lit by the corners' light at (u, v), and gives what still
+/// Adds eight fragments of `texel` (alpha, red, green, blue) lit by the corners' lights at (u, v), and gives what still
 /// gets through.
 #[target_feature(enable = "avx2,fma")]
 #[inline]
-fn blend(
-    tile: &mut Tile,
+fn blend<const G: usize>(
+    tile: &mut Tile<G>,
     group: usize,
-    light: &[[f32; 4]; 4],
-    haze: [f32; 3],
+    constants: &Constants<G>,
     texel: [__m256; 4],
     u: __m256,
     v: __m256,
 ) -> __m256 {
     let uv = _mm256_mul_ps(u, v);
-    let lit = light.map(|[at, along_u, along_v, along_both]| {
-        let base = _mm256_fmadd_ps(u, _mm256_set1_ps(along_u), _mm256_set1_ps(at));
-        _mm256_fmadd_ps(uv, _mm256_set1_ps(along_both), _mm256_fmadd_ps(v, _mm256_set1_ps(along_v), base))
-    });
-    let through: __m256 = must_cast(tile.planes[3][group]);
-    let share = _mm256_mul_ps(through, lit[3]);
-    for c in 0..3 {
-        let hazed = _mm256_mul_ps(texel[0], _mm256_set1_ps(haze[c]));
-        let color = _mm256_fmadd_ps(texel[c + 1], lit[c], hazed);
-        let before: __m256 = must_cast(tile.planes[c][group]);
-        tile.planes[c][group] = must_cast(_mm256_fmadd_ps(share, color, before));
+    let through: __m256 = must_cast(tile.through[group]);
+    let share = _mm256_mul_ps(through, at(&constants.alpha, u, v, uv));
+    for (planes, light) in tile.lights.iter_mut().zip(&constants.lights) {
+        for c in 0..3 {
+            let mut color = _mm256_mul_ps(texel[0], _mm256_set1_ps(light.added[c]));
+            if let Some(corners) = &light.corners {
+                color = _mm256_fmadd_ps(texel[c + 1], at(&corners[c], u, v, uv), color);
+            }
+            let before: __m256 = must_cast(planes[c][group]);
+            planes[c][group] = must_cast(_mm256_fmadd_ps(share, color, before));
+        }
     }
     let through = _mm256_fnmadd_ps(share, texel[0], through);
-    tile.planes[3][group] = must_cast(through);
+    tile.through[group] = must_cast(through);
     through
+}
+
+/// The value at (u, v).
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn at([at, along_u, along_v, along_both]: &Bilinear, u: __m256, v: __m256, uv: __m256) -> __m256 {
+    let base = _mm256_fmadd_ps(u, _mm256_set1_ps(*along_u), _mm256_set1_ps(*at));
+    _mm256_fmadd_ps(uv, _mm256_set1_ps(*along_both), _mm256_fmadd_ps(v, _mm256_set1_ps(*along_v), base))
 }
 
 /// Alpha, red, green and blue of eight pixels at one mip level, 0 to 1, premultiplied.

@@ -1,7 +1,7 @@
 //! How sprites are drawn into a tile: eight pixels at once where the processor can, else one by one.
 
-use super::super::ScreenSprite;
 use super::super::bins::{TILE, TileRect};
+use super::super::{Glow, Hit, ScreenSprite};
 use super::tile::{LANES, Spans, Tile, bits};
 use crate::sprites::Atlas;
 
@@ -30,30 +30,45 @@ impl<'a> Blender<'a> {
         }
     }
 
-    /// Adds `sprite` behind what `tile` shows already. Pixels that let less than `stop_below` through may be left as they
-    /// are.
-    pub fn draw(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
+    /// Adds `sprite` in these lights behind what `tile` shows already. Pixels that let less than `stop_below` through may
+    /// be left as they are.
+    pub fn draw<const G: usize>(
+        &self,
+        tile: &mut Tile<G>,
+        rect: TileRect,
+        (sprite, lights): (&ScreenSprite, &[Glow; G]),
+        stop_below: f32,
+    ) {
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = &self.avx2 {
-            return avx2.draw(tile, rect, sprite, stop_below);
+            return avx2.draw(tile, rect, (sprite, lights), stop_below);
         }
-        self.draw_one_by_one(tile, rect, sprite, stop_below);
+        self.draw_one_by_one(tile, rect, (sprite, lights), stop_below);
     }
 
-    fn draw_one_by_one(&self, tile: &mut Tile, rect: TileRect, sprite: &ScreenSprite, stop_below: f32) {
+    fn draw_one_by_one<const G: usize>(
+        &self,
+        tile: &mut Tile<G>,
+        rect: TileRect,
+        (sprite, lights): (&ScreenSprite, &[Glow; G]),
+        stop_below: f32,
+    ) {
         for (row, span) in Spans::new(sprite, rect).rows() {
             for group in bits(tile.open_groups(row, &span)) {
                 for x in (group * LANES..(group + 1) * LANES).filter(|x| span.contains(x)) {
                     let (pixel_x, pixel_y) = (rect.left as f32 + x as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
-                    let fragment = sprite.fragment(self.atlas, pixel_x, pixel_y, |_| sprite.mip);
-                    let Some((fragment, _)) = fragment else { continue };
+                    let Some(Hit { u, v, .. }) = sprite.hit(pixel_x, pixel_y) else { continue };
+                    let shown = sprite.shown_by(lights, self.atlas, (u, v), sprite.mip);
+                    let Some((colors, alpha)) = shown else { continue };
                     let at = row * TILE / LANES + group;
-                    let through = tile.planes[3][at][x % LANES];
-                    for (c, value) in [fragment.r, fragment.g, fragment.b, -fragment.a].into_iter().enumerate() {
-                        tile.planes[c][at][x % LANES] += through * value;
+                    let through = tile.through[at][x % LANES];
+                    let planes = tile.lights.as_flattened_mut().iter_mut();
+                    for (plane, value) in planes.zip(colors.as_flattened()) {
+                        plane[at][x % LANES] += through * value;
                     }
+                    tile.through[at][x % LANES] -= through * alpha;
                 }
-                if tile.planes[3][row * TILE / LANES + group].iter().all(|through| *through < stop_below) {
+                if tile.through[row * TILE / LANES + group].iter().all(|through| *through < stop_below) {
                     tile.close(row, group);
                 }
             }

@@ -11,7 +11,7 @@ mod blender;
 mod tile;
 
 use super::bins::{TILE, TileRect, assemble, map_tiles};
-use super::{ScreenSprite, develop, faded, prepare};
+use super::{Glow, ScreenSprite, develop, faded, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture, Picture};
@@ -19,7 +19,9 @@ use crate::rules::STOP_BELOW;
 use crate::sky::BackgroundRows;
 use crate::tone::{Planes, encode_row};
 use blender::Blender;
-use tile::{Tile, TileRow};
+use tile::Tile;
+
+pub(super) use tile::TileRow;
 
 /// The frame as a display shows it, one sample at each pixel's centre.
 pub fn picture(frame: &Frame<'_>) -> Picture {
@@ -32,7 +34,7 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
         return develop(&linear_picture_stopping(frame, stop_below), frame.now.exposure);
     }
     let background = BackgroundRows::new(&frame.background, &frame.view);
-    let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [[u8; 4]]| {
+    let finish = |rect: TileRect, row: u32, clouds: &TileRow<1>, out: &mut [[u8; 4]]| {
         let exposed = over_background(&background, (rect, row), clouds, stop_below, frame.now.exposure);
         encode_row(&exposed, rect.left, rect.top + row, out);
     };
@@ -52,7 +54,7 @@ pub fn linear_picture_stopping(frame: &Frame<'_>, stop_below: f32) -> LinearPict
 
 fn linear_in_order(frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
-    let finish = |rect: TileRect, row: u32, clouds: &TileRow, out: &mut [Rgb]| {
+    let finish = |rect: TileRect, row: u32, clouds: &TileRow<1>, out: &mut [Rgb]| {
         let [r, g, b] = over_background(&background, (rect, row), clouds, stop_below, 1.0);
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Rgb::new(r[x], g[x], b[x]);
@@ -78,7 +80,7 @@ fn clouds_by(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer
 }
 
 fn clouds_in_order(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
-    let finish = |_, _, [r, g, b, through]: &TileRow, out: &mut [Premultiplied]| {
+    let finish = |_, _, TileRow { lights: [[r, g, b]], through }: &TileRow<1>, out: &mut [Premultiplied]| {
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Premultiplied { r: r[x], g: g[x], b: b[x], a: 1.0 - through[x] };
         }
@@ -92,12 +94,12 @@ fn clouds_in_order(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) ->
 fn over_background(
     background: &BackgroundRows<'_>,
     (rect, row): (TileRect, u32),
-    clouds: &TileRow,
+    clouds: &TileRow<1>,
     stop_below: f32,
     gain: f32,
 ) -> Planes<TILE> {
     let (width, y) = (rect.width as usize, rect.top + row);
-    let [r, g, b, through] = clouds;
+    let TileRow { lights: [[r, g, b]], through } = clouds;
     let mut behind = [[0.0; TILE]; 3];
     let shows = |through: &f32| *through >= stop_below;
     if through[..width].iter().any(shows) || background.dazzles(rect.left, y, width) {
@@ -117,11 +119,45 @@ fn draw<P: Copy + Send + Sync>(
     frame: &Frame<'_>,
     stop_below: f32,
     empty: P,
-    finish: impl Fn(TileRect, u32, &TileRow, &mut [P]) + Sync,
+    finish: impl Fn(TileRect, u32, &TileRow<1>, &mut [P]) + Sync,
 ) -> Vec<P> {
-    let sprites = prepare(frame);
-    let tiles = map_tiles(&sprites, frame.view.width, frame.view.height, |rect, members| {
-        let tile = draw_tile(blender, &sprites, rect, (members, frame.veil), stop_below);
+    let sprites = &prepare(frame);
+    let Premultiplied { r, g, b, a } = frame.veil;
+    let lit = Lit { sprites, lights: |index: usize| [sprites[index].glow()], veil: ([Rgb::new(r, g, b)], a) };
+    draw_lit(blender, frame, &lit, stop_below, empty, finish)
+}
+
+/// Sprites on the screen in `G` lights that are kept apart.
+pub(super) struct Lit<'a, const G: usize, L: Fn(usize) -> [Glow; G]> {
+    /// Back to front.
+    pub sprites: &'a [ScreenSprite],
+    /// Those of the sprite of an index.
+    pub lights: L,
+    /// Each light's colour of the veil, and its alpha.
+    pub veil: ([Rgb; G], f32),
+}
+
+/// As [`draw`], of any lights, with what any processor does fastest.
+pub(super) fn draw_lights<P: Copy + Send + Sync, const G: usize>(
+    frame: &Frame<'_>,
+    lit: &Lit<'_, G, impl Fn(usize) -> [Glow; G] + Sync>,
+    stop_below: f32,
+    empty: P,
+    finish: impl Fn(TileRect, u32, &TileRow<G>, &mut [P]) + Sync,
+) -> Vec<P> {
+    draw_lit(&Blender::new(frame.atlas), frame, lit, stop_below, empty, finish)
+}
+
+fn draw_lit<P: Copy + Send + Sync, const G: usize>(
+    blender: &Blender<'_>,
+    frame: &Frame<'_>,
+    lit: &Lit<'_, G, impl Fn(usize) -> [Glow; G] + Sync>,
+    stop_below: f32,
+    empty: P,
+    finish: impl Fn(TileRect, u32, &TileRow<G>, &mut [P]) + Sync,
+) -> Vec<P> {
+    let tiles = map_tiles(lit.sprites, frame.view.width, frame.view.height, |rect, members| {
+        let tile = draw_tile(blender, lit, rect, members, stop_below);
         let mut out = vec![empty; (rect.width * rect.height) as usize];
         for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
             finish(rect, row, &tile.row(row as usize), line);
@@ -131,16 +167,17 @@ fn draw<P: Copy + Send + Sync>(
     assemble(&tiles, frame.view.width, frame.view.height, empty)
 }
 
-fn draw_tile(
+fn draw_tile<const G: usize>(
     blender: &Blender<'_>,
-    sprites: &[ScreenSprite],
+    lit: &Lit<'_, G, impl Fn(usize) -> [Glow; G] + Sync>,
     rect: TileRect,
-    (members, veil): (&[u32], Premultiplied),
+    members: &[u32],
     stop_below: f32,
-) -> Tile {
-    let mut tile = Tile::veiled(rect, veil);
+) -> Tile<G> {
+    let mut tile = Tile::veiled(rect, lit.veil);
     for &member in members {
-        blender.draw(&mut tile, rect, &sprites[member as usize], stop_below);
+        let index = member as usize;
+        blender.draw(&mut tile, rect, (&lit.sprites[index], &(lit.lights)(index)), stop_below);
         if tile.is_done() {
             break;
         }

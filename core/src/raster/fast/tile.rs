@@ -3,44 +3,57 @@
 use super::super::bins::{TILE, TileRect};
 use super::super::{Linear, ScreenSprite};
 use crate::camera::NEAR_M;
-use crate::color::Premultiplied;
+use crate::color::Rgb;
 
 /// Pixels that are drawn at once.
 pub const LANES: usize = 8;
 
-/// Colour and transmittance of 32 × 32 pixels, each channel a plane of its own.
+/// A channel of 32 × 32 pixels.
+type Plane = [[f32; LANES]; TILE * TILE / LANES];
+
+/// Colours of `G` lights and transmittance of 32 × 32 pixels, each channel a plane of its own.
 #[repr(align(64))]
-pub struct Tile {
-    /// Red, green, blue, and what still gets through.
-    pub planes: [[[f32; LANES]; TILE * TILE / LANES]; 4],
+pub struct Tile<const G: usize> {
+    /// Red, green and blue of each light.
+    pub lights: [[Plane; 3]; G],
+    /// What still gets through.
+    pub through: Plane,
     /// For each row a bit for each group of [`LANES`] pixels that something still gets through.
     pub open: [u8; TILE],
 }
 
-/// A row of a tile: red, green, blue, and what still gets through.
-pub type TileRow = [[f32; TILE]; 4];
+/// A row of a tile.
+pub struct TileRow<const G: usize> {
+    /// Red, green and blue of each light.
+    pub lights: [[[f32; TILE]; 3]; G],
+    /// What still gets through.
+    pub through: [f32; TILE],
+}
 
-impl Tile {
-    /// Behind a veil, which for clear air is nothing; outside the picture nothing gets through.
-    pub fn veiled(rect: TileRect, veil: Premultiplied) -> Self {
+impl<const G: usize> Tile<G> {
+    /// Behind a veil of these colours and that alpha, which for clear air is nothing; outside the picture nothing gets
+    /// through.
+    pub fn veiled(rect: TileRect, (veil, alpha): ([Rgb; G], f32)) -> Self {
         let [width, height] = [rect.width as usize, rect.height as usize];
-        let Premultiplied { r, g, b, a } = veil;
-        let mut planes = [r, g, b, 0.0].map(|value| [[value; LANES]; TILE * TILE / LANES]);
-        for row in planes[3].chunks_mut(TILE / LANES).take(height) {
-            row.as_flattened_mut()[..width].fill(1.0 - a);
+        let lights = veil.map(|color| color.to_array().map(|value| [[value; LANES]; TILE * TILE / LANES]));
+        let mut through = [[0.0; LANES]; TILE * TILE / LANES];
+        for row in through.chunks_mut(TILE / LANES).take(height) {
+            row.as_flattened_mut()[..width].fill(1.0 - alpha);
         }
         let groups = ((1_u32 << width.div_ceil(LANES)) - 1) as u8;
-        Self { planes, open: std::array::from_fn(|row| if row < height { groups } else { 0 }) }
+        Self { lights, through, open: std::array::from_fn(|row| if row < height { groups } else { 0 }) }
     }
 
     /// One row.
-    pub fn row(&self, row: usize) -> TileRow {
+    pub fn row(&self, row: usize) -> TileRow<G> {
         let groups = row * TILE / LANES..(row + 1) * TILE / LANES;
-        std::array::from_fn(|c| {
+        let line_of = |plane: &Plane| {
             let mut line = [0.0; TILE];
-            line.copy_from_slice(self.planes[c][groups.clone()].as_flattened());
+            line.copy_from_slice(plane[groups.clone()].as_flattened());
             line
-        })
+        };
+        let lights = self.lights.each_ref().map(|light| light.each_ref().map(line_of));
+        TileRow { lights, through: line_of(&self.through) }
     }
 
     /// Whether nothing more would show.
