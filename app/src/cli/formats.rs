@@ -84,11 +84,11 @@ fn as_text(rows: &[Row]) -> String {
             _ => "in",
         };
         let carries: Vec<&str> = row.carries.iter().map(|part| part.name()).collect();
-        let _ = writeln!(text, "{:<12}{:<11}{} ({})", row.name, ways, row.title, endings.join(", "));
-        let _ = writeln!(text, "{:<12}{}\n{:<12}carries {}", "", row.about, "", carries.join(", "));
+        let _ = writeln!(text, "{:<18}{:<11}{} ({})", row.name, ways, row.title, endings.join(", "));
+        let _ = writeln!(text, "{:<18}{}\n{:<18}carries {}", "", row.about, "", carries.join(", "));
         for (way, options) in [("out", &row.write_options), ("in", &row.read_options)] {
             for RowOption { name, about, wanted, usual } in options {
-                let _ = writeln!(text, "{:<12}{way}, --set {name}: {about} {wanted}; {usual} if not given", "");
+                let _ = writeln!(text, "{:<18}{way}, --set {name}: {about} {wanted}; {usual} if not given", "");
             }
         }
     }

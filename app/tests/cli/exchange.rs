@@ -47,6 +47,19 @@ fn a_page_begins_as_it_was_asked_to() {
 }
 
 #[test]
+fn clouds_leave_as_volumes() {
+    let place = Place::new();
+    let said = place.does("export good.cloudscene -o out.vdb --set longest=16");
+    assert!(said.contains("along 1000 chords") && said.contains("(99th percentile)"), "{said}");
+    assert_eq!(place.files(), ["good.cloudscene", "out.vdb", "out_2.vdb"]);
+    place.does("export good.cloudscene -o out.vol --cloud east --set longest=16 --set frames=2");
+    place.does("export good.cloudscene -o east.voxels.png --cloud east --set side=16");
+    let wanted = ["east.voxels.png", "good.cloudscene", "out.vdb", "out_0001.vol", "out_0001.xml", "out_0002.vol"];
+    assert_eq!(place.files()[..6], wanted);
+    place.refuses("export good.cloudscene -o fine.vdb --set voxel_m=0.001", 2, &["voxels", "134217728", "voxel_m"]);
+}
+
+#[test]
 fn a_file_beside_the_one_asked_for_is_no_input_either() {
     let place = Place::new();
     place.put("sky_2.cld", &place.read("good.cloudscene"));

@@ -106,7 +106,9 @@ impl Spheres {
             let around = around * std::f64::consts::TAU;
             let [x, y] = [libm::cos(around), libm::sin(around)].map(|share| (share * away.sqrt()) as f32);
             let through = self.centers[index] + (right * x + above * y) * self.radii[index];
-            if taken * self.met(through, direction).count() as f64 <= 1.0 || cast + 1 == MOST_CASTS {
+            // Most casts are turned down by the first few spheres.
+            let most = (1.0 / taken) as usize;
+            if self.met(through, direction).take(most + 1).count() <= most || cast + 1 == MOST_CASTS {
                 return Some((through, direction));
             }
         }

@@ -139,7 +139,7 @@ impl DensityGrid {
         let along = |axis: usize| direction[axis].abs() > 1e-6;
         let ends = (0..3).filter(|axis| along(*axis)).map(|axis| (a[axis].min(b[axis]), a[axis].max(b[axis])));
         let (from, to) = ends.fold((f32::NEG_INFINITY, f32::INFINITY), |(from, to), (a, b)| (from.max(a), to.min(b)));
-        if !(from < to) {
+        if from >= to {
             return 0.0;
         }
         let steps = ((to - from) / self.voxel_m * STEPS).ceil().max(1.0);

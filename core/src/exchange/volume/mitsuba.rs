@@ -27,8 +27,8 @@ pub(super) fn name_of(volume: &str) -> String {
 pub(super) fn scene(leaving: &Leaving<'_>, now: &SceneNow<'_>, volumes: &[Volume], origin: DVec3) -> Vec<u8> {
     let mut root = Element::new("scene").with("version", "3.0.0");
     root.children.push(Node::Comment(format!(
-        " {} at {} s: metres, y up, x east, z south. mitsuba -D spp=256 THIS_FILE ",
-        leaving.scene.name.replace("--", "- -"),
+        "{} at {} s: metres, y up, x east, z south. mitsuba -D spp=256 THIS_FILE",
+        leaving.scene.name.replace("--", ""),
         leaving.moment.clock_s
     )));
     for (name, value) in DEFAULTS {

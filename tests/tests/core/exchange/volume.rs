@@ -280,7 +280,7 @@ fn what_can_be_no_volume_is_said() {
 fn flightgears_voxels_stand_in_slices() {
     let shown = |category: Category| {
         let mut scene = heap(30);
-        scene.models[0].boxes.iter_mut().for_each(|own| own.category = category);
+        scene.models[0].boxes.iter_mut().for_each(|own| own.category = Some(category));
         let (mut files, notes) = leaves(&scene, "a.voxels.png", &[("side", "24")]);
         assert!(notes.iter().any(|note| note.how.starts_with("24 × 24 × ")), "{notes:?}");
         let bytes = files.remove("a.voxels.png").expect("a picture");
