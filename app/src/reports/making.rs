@@ -45,7 +45,8 @@ pub struct MadeLayer {
     pub plugin: Option<&'static str>,
     /// Its clouds, in the order in which they cover the sky.
     pub clouds: Vec<CloudId>,
-    /// What covers how much, at each report.
+    /// What covers how much, at each report; told beside the layer's own cover.
+    #[serde(rename = "covers")]
     pub cover: Vec<Cover>,
 }
 

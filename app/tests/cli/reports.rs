@@ -110,7 +110,7 @@ fn layers_cover_what_their_groups_say() {
         let layers = answer["layers"].as_array().expect("layers");
         assert_eq!(layers.len(), wanted.len(), "{groups}");
         for (layer, [fewest, most]) in layers.iter().zip(wanted) {
-            let measured = layer["cover"][0]["measured_oktas"].as_f64().expect("measured");
+            let measured = layer["covers"][0]["measured_oktas"].as_f64().expect("measured");
             let near = fewest - 0.5..=most + 0.5;
             assert!(near.contains(&measured), "{groups}: {measured} oktas of {}", layer["genus"]);
             assert!(!layer["clouds"].as_array().expect("ids").is_empty());

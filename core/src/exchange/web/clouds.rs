@@ -1,16 +1,15 @@
 //! Clouds, groups and sprites as the page's textures hold them: words by the four. The layout is that of
-//! render/src/cloud_data.rs; copies of a cloud share their sprites.
+//! render/src/cloud_data.rs.
 
 use super::super::Leaving;
 use super::block::Block;
 use super::moving;
 use crate::derived::Derived;
 use crate::scene::ModelId;
-use crate::sprites::{Group, PlacedCloud, Sprite, Sprites};
+use crate::sprites::{Group, PlacedCloud, Sprite};
 use crate::weather::CloudNow;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
-use std::sync::Arc;
 
 /// Where a cloud's things stand.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -46,19 +45,10 @@ impl Clouds {
     pub(super) fn new(leaving: &Leaving<'_>, times_s: &[f64]) -> Self {
         let Leaving { derived, now, watch, .. } = *leaving;
         let mut all = Self { air: moving::air(derived.clouds().first(), derived, times_s), ..Self::default() };
-        let mut known: Vec<(&Sprites, &Arc<[Group]>, usize)> = Vec::new();
         let mut models: FxHashMap<ModelId, [usize; 2]> = FxHashMap::default();
         watch.expect(now.clouds.len() as u64);
         for cloud in watch.along(1, &now.clouds) {
-            let (sprites, groups) = (&cloud.placed.sprites, cloud.groups());
-            let same = |(other, their_groups, _): &&(&Sprites, &Arc<[Group]>, usize)| {
-                other.are(sprites) && Arc::ptr_eq(their_groups, groups)
-            };
-            let first_sprite = known.iter().find(same).map(|(_, _, first)| *first);
-            let first_sprite = first_sprite.unwrap_or_else(|| {
-                known.push((sprites, groups, all.sprites.len()));
-                all.add_sprites(cloud.placed, groups)
-            });
+            let first_sprite = all.add_sprites(cloud.placed, cloud.groups());
             let [first_level_key, level_keys] = *models
                 .entry(cloud.placed.cloud.model)
                 .or_insert_with(|| all.add_levels(cloud.placed, derived, times_s));
@@ -66,7 +56,7 @@ impl Clouds {
             all.listed.push(Listed {
                 origin: cloud.placed.origin.to_array(),
                 first_sprite,
-                sprites: sprites.len(),
+                sprites: cloud.placed.sprites.len(),
                 first_key: all.keys.len(),
                 keys: keys.len(),
                 first_level_key,

@@ -61,12 +61,18 @@ pub(super) fn write(leaving: &Leaving<'_>, files: &mut dyn Files) -> Result<Vec<
     block.add("light_by_hour", light::by_hour(leaving, &days_s).as_flattened());
     block.add("light_by_clock", light::by_clock(leaving, &times_s).as_flattened());
     let end_s = if moving::moves(leaving) { times_s.last().copied().unwrap_or(0.0) } else { 0.0 };
-    let has_keyed_groups = clouds.has_keyed_groups;
+    let mut notes = Vec::new();
+    if days_s.len() > 1 {
+        let how = format!("it is told at {} seconds of the clock, with straight lines between", days_s.len());
+        notes.push(Note::changed("light at another hour than the scene's", how));
+    }
+    if clouds.has_keyed_groups {
+        notes.push(Note::left_out("tracks of groups' light", "it is as at the moment"));
+    }
     let header = Header::new(leaving, view, &block, Times { end_s, days_s }, clouds.listed);
     let page = page(&serde_json::to_string(&header).map_err(std::io::Error::from)?, &block.packed()?);
     files.add(leaving.name, &mut |out| out.write_all(page.as_bytes()))?;
-    let groups = has_keyed_groups.then(|| Note::left_out("tracks of groups' light", "it is as at the moment"));
-    Ok(groups.into_iter().collect())
+    Ok(notes)
 }
 
 /// The file's text. The header and the block come last, so that no mark is looked for in what a scene's names say.
