@@ -18,7 +18,7 @@ from pathlib import Path
 import bpy
 import numpy
 
-sys.path.insert(0, str(next(Path(bpy.__file__).parent.glob("*/python/lib/python*/site-packages"))))
+sys.path.insert(0, str(next(Path(bpy.utils.resource_path("LOCAL")).glob("python/lib/python*/site-packages"))))
 import openvdb
 
 failed = False

@@ -11,8 +11,8 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 /// Layers of voxels that one thread adds at a time.
 const SLAB: usize = 4;
 /// Balls of at most so many voxels from middle to rim are measured as the voxels see them; of larger ones the sum over
-/// voxels is the whole within a thousandth.
-const COARSE: f32 = 6.0;
+/// voxels is the whole within a few thousandths.
+const COARSE: f32 = 12.0;
 /// Steps of a line through a voxel.
 const STEPS: f32 = 2.0;
 
@@ -36,8 +36,9 @@ struct Seen<'a> {
     reach: Vec3,
     /// A voxel's side in half widths, along x, y and z.
     per_half: Vec3,
-    /// What the profile is multiplied with.
+    /// What the profile is multiplied with; of a ball that lies between the voxels' middles, all that its one voxel gets.
     scale: f32,
+    is_between: bool,
 }
 
 impl DensityGrid {
@@ -94,6 +95,7 @@ impl DensityGrid {
             per_half: Vec3::splat(voxel_m) / ball.half,
             // A ball's chords are level, and as long as it is wide.
             scale: 1.0 / ball.half.x,
+            is_between: false,
         };
         if seen.reach.min_element() <= COARSE {
             let voxel = f64::from(voxel_m) * f64::from(voxel_m) * f64::from(voxel_m);
@@ -103,7 +105,8 @@ impl DensityGrid {
             if sum > 0.0 {
                 seen.scale *= (whole / sum) as f32;
             } else {
-                seen.shrink_to_a_voxel(whole as f32);
+                (seen.scale, seen.is_between) = (whole as f32, true);
+                (seen.center, seen.reach) = (seen.center.floor() + 0.5, Vec3::splat(0.25));
             }
         }
         seen
@@ -164,6 +167,10 @@ impl Seen<'_> {
     fn add_to_row(&self, row: &mut [f32], y: usize, z: usize) {
         let off = self.square(1, y) + self.square(2, z);
         let all = self.range(0, 0..row.len());
+        if self.is_between {
+            row[all].iter_mut().for_each(|voxel| *voxel += self.scale);
+            return;
+        }
         let first = all.start;
         for (x, voxel) in row[all].iter_mut().enumerate() {
             *voxel += self.profile.at_square(off + self.square(0, first + x)) * self.scale;
@@ -183,13 +190,5 @@ impl Seen<'_> {
             }
         }
         sum
-    }
-
-    /// It lies between the voxels' middles: the one that it is in has all of it.
-    fn shrink_to_a_voxel(&mut self, whole: f32) {
-        self.center = self.center.floor() + 0.5;
-        self.reach = Vec3::splat(0.25);
-        let middle = self.profile.at_square(0.0);
-        self.scale = if middle > 0.0 { whole / middle } else { 0.0 };
     }
 }

@@ -70,7 +70,7 @@ fn coarse_voxels_hold_what_fine_ones_do() {
     let fine = whole(6.0);
     for voxel_m in [10.0, 25.0, 80.0, 700.0] {
         let coarse = whole(voxel_m);
-        assert!((coarse / fine - 1.0).abs() < 2e-3, "{voxel_m} m: {coarse} for {fine}");
+        assert!((coarse / fine - 1.0).abs() < 1e-3, "{voxel_m} m: {coarse} for {fine}");
     }
 }
 
@@ -83,9 +83,10 @@ fn a_grid_stands_where_its_cloud_does() {
     // A cloud's origin is held in whole f32.
     assert!(middle.distance(place) < f64::from(grid.voxel_m), "{middle}");
     assert_eq!(grid.size.max_element(), 64);
-    let middle = grid.size.as_vec3() * grid.voxel_m * 0.5;
-    let (inside, rim) = (grid.at(middle), grid.at(middle + Vec3::X * 190.0));
-    assert!(inside > 0.0 && rim < 0.5 * inside, "{inside} {rim}");
+    // It is dense within its quad, and no longer at the quad's corners.
+    let at = |away_m: f32| grid.at(grid.size.as_vec3() * grid.voxel_m * 0.5 + Vec3::X * away_m);
+    let densest = (0..20).map(|step| at(10.0 * step as f32)).fold(0.0, f32::max);
+    assert!(densest > 1e-3 && at(260.0) < 0.01 * densest, "{densest} {}", at(260.0));
 }
 
 /// Clouds that are one body hold what they hold one by one.
