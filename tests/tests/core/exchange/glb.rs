@@ -345,7 +345,7 @@ fn a_model_from_elsewhere_flies() {
         let (edits, notes) = model.fly(&scene, "jet.glb", DVec3::new(100.0, 900.0, -50.0));
         document.edit("Import", edits).expect("it fits");
         let after = document.scene();
-        let aircraft = after.aircraft.iter().last().expect("one more");
+        let aircraft = after.aircraft.iter().next_back().expect("one more");
         assert_eq!((after.aircraft.len(), aircraft.model.as_deref()), (scene.aircraft.len() + 1, Some("jet.glb")));
         assert_eq!(aircraft.path, after.paths[0].id, "{notes:?}");
         assert_eq!(after.paths.len(), scene.paths.len().max(1), "a path only where there is none");
