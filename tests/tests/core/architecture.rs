@@ -100,6 +100,7 @@ const CORE: [&[&str]; 18] = [
     &["sight"],
     &["model_in_view", "preset", "reported"],
     &["formats"],
+    &["density"],
     &["posed_sprite", "view_history"],
     &["arrange", "rules", "shading"],
     &["document", "draw_list"],

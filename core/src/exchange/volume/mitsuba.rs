@@ -10,6 +10,7 @@ use crate::formats::xml::{self, Element, Node, Style};
 use crate::sky::Dome;
 use crate::weather::SceneNow;
 use glam::{DVec3, Vec3};
+use std::fmt::Display;
 
 const STYLE: Style = Style { byte_order_mark: false, line_end: "\n", indent: "  ", closes: false, declares: false };
 /// Directions of the sky that are averaged.
@@ -122,12 +123,12 @@ fn named(name: &str, mut element: Element) -> Element {
     element
 }
 
-fn value(kind: &str, name: &str, value: impl ToString) -> Element {
+fn value(kind: &str, name: &str, value: impl Display + Copy) -> Element {
     Element::new(kind).with("name", name).with("value", value.to_string())
 }
 
 fn rgb(name: &str, color: Rgb) -> Element {
-    value("rgb", name, color.to_array().map(|channel| channel.to_string()).join(" "))
+    value("rgb", name, &color.to_array().map(|channel| channel.to_string()).join(" "))
 }
 
 fn listed(vector: DVec3) -> String {
