@@ -91,7 +91,7 @@ const APP: [&[&str]; 10] = [
 ];
 
 /// The rooms of core from above, in the same way.
-const CORE: [&[&str]; 18] = [
+const CORE: [&[&str]; 19] = [
     &["exchange", "thin"],
     &["draw", "method"],
     &["measure", "variants"],
