@@ -162,7 +162,12 @@ pub(super) fn fineness(leaving: &Leaving<'_>) -> Fineness {
 
 /// Those with sprites, shown or not.
 pub(super) fn with_sprites<'a, 'b>(now: &'b SceneNow<'a>) -> impl Iterator<Item = &'b CloudNow<'a>> {
-    now.clouds.iter().filter(|cloud| !cloud.placed.sprites.is_empty())
+    now.clouds.iter().filter(|cloud| is_written(cloud))
+}
+
+/// Whether a cloud has a volume.
+pub(super) fn is_written(cloud: &CloudNow<'_>) -> bool {
+    !cloud.placed.sprites.is_empty()
 }
 
 /// The scene at another moment, with the clouds that are to leave.
@@ -175,7 +180,7 @@ fn now_at<'a>(leaving: &Leaving<'a>, moment: Moment) -> SceneNow<'a> {
 }
 
 /// What positions count from: the world's origin, or a round place near the first cloud.
-fn origin(leaving: &Leaving<'_>) -> DVec3 {
+pub(super) fn origin(leaving: &Leaving<'_>) -> DVec3 {
     let places = || with_sprites(leaving.now).map(|cloud| cloud.origin());
     let far = places().map(|place| place.abs().max_element()).fold(0.0, f64::max);
     match places().next() {

@@ -311,11 +311,15 @@ fn volumes_name_the_files_beside() {
     let volumes = stage.of_kind("OpenVDBAsset");
     let mut names: Vec<&str> = volumes.iter().map(|asset| asset.text("asset filePath")).collect();
     names.sort_unstable();
-    let mut wanted: Vec<String> = (1..=scene.clouds.len())
-        .map(|at| if at == 1 { "@./sky.vdb@".into() } else { format!("@./sky_{at}.vdb@") })
-        .collect();
+    // As the volumes' own export names them.
+    let (written, _) = left_at(&scene, "sky.vdb", &[("longest", "8")], 0.0).expect("it leaves");
+    let mut wanted: Vec<String> = written.iter().map(|(name, _)| format!("@./{name}@")).collect();
     wanted.sort();
     assert_eq!(names, wanted);
+    // Grids stand in the world already: nothing carries them at the moment.
+    for cloud in stage.at("Sky/Clouds").children.values() {
+        assert_eq!(cloud.text("double3 xformOp:translate"), "(0,0,0)");
+    }
     for (name, cloud) in &stage.at("Sky/Clouds").children {
         let field = cloud.at("volume").text("rel field:density");
         assert_eq!(field, format!("</Sky/Clouds/{name}/volume/density>"));
