@@ -12,7 +12,8 @@ impl Window {
     fn choose_format(&mut self, title: &str) {
         self.node(Role::ComboBox, "Format").click();
         self.settle();
-        self.harness.get_all_by_label(title).last().expect("a format").click();
+        // Whether or not it is scrolled into view.
+        self.harness.get_all_by_label(title).last().expect("a format").click_accesskit();
         self.settle();
     }
 
@@ -64,7 +65,9 @@ fn a_scene_leaves_in_the_format_that_is_chosen() {
     // A plugin that exports stands there too, and asks for itself.
     window.command(Command::Export);
     window.choose_format("Sprite table (plugin)");
-    window.wait("the plugin's own question", |window| window.shows("Units a metre"));
+    window.wait("the plugin's own question", |window| {
+        window.harness.query_by_role_and_label(Role::SpinButton, "Units a metre").is_some()
+    });
     window.press("Cancel");
     assert_eq!((window.file(), window.undo_name()), (start, None));
 }
