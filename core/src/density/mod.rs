@@ -2,7 +2,7 @@
 //!
 //! A sprite stands for a soft ball as deep as it is wide (MODEL §6). Its tile says how much light it lets through at each
 //! distance from its middle; what extinction does the same along level chords follows by peeling shells from the outside
-//! in ([`Profile`]). Balls are summed into voxels, each with all that it holds, however coarse the voxels are. Tiles let
+//! in (`profile`). Balls are summed into voxels, each with all that it holds, however coarse the voxels are. Tiles let
 //! through more here and less there than their mean, so one factor for the whole cloud has the opacity along chords come
 //! nearest to the sprites' ([`chord`] says how near).
 

@@ -107,7 +107,7 @@ struct CornerOut {
     color: Rgba,
 }
 
-/// The JSON Schema of what [`write`] writes.
+/// The JSON Schema of what [`write()`] writes.
 ///
 /// # Errors
 /// None in practice: every schema can be said in JSON.

@@ -2,7 +2,7 @@
 //!
 //! As the library writes them (openvdb/io/Archive.cc, tree/RootNode.h and so on): a header, each grid's name and where its
 //! parts lie, what is said of it, its transform, its tree's nodes without values, then the values. The tree has leaves of
-//! 8³ voxels ([`tree`]); only those that hold something are written, and of a leaf only the voxels that do
+//! 8³ voxels (`tree.rs`); only those that hold something are written, and of a leaf only the voxels that do
 //! (`COMPRESS_ACTIVE_MASK`), uncompressed otherwise. All numbers are little-endian. The file's identifier is made of what
 //! stands in it, so that the same grid has the same bytes.
 //!
