@@ -11,9 +11,8 @@ pub fn arrives(format: &str, bytes: &[u8]) {
     let format = Format::to_read(Some(format), "", bytes).expect("a format that is read");
     let options = format.usual_for_reading();
     let Ok(arrived) = format.read(&Arriving { bytes, name: "any", options: &options }) else { return };
-    match arrived.content {
-        Content::Scene(scene) => is_sound(&scene),
-        Content::Clouds(_) | Content::Weather(_) => {}
+    if let Content::Scene(scene) = arrived.content {
+        is_sound(&scene);
     }
 }
 
