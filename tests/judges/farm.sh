@@ -7,7 +7,7 @@ program=$(realpath "$1")
 mkdir -p "$2"
 out=$(realpath "$2")
 cd "$(dirname "$0")/../.."
-template=assets/farm/fly.openjd.yaml
+template=assets/queue/fly.openjd.yaml
 scene=$PWD/assets/scenes/fair_weather.cloudscene
 
 tools=$(mktemp -d)
