@@ -85,7 +85,9 @@ fn what_is_there_is_not_written_over() {
     for name in [&scene, &folder.path().join("none/sky.glb")] {
         window.answer(Reply::Path(name.clone()));
         window.press("Export…");
-        window.wait("a refusal", |window| window.shows("Nothing was written"));
+        // Of this file: the last refusal stands there until the name is given.
+        let refusal = format!("Nothing was written: {}", name.display());
+        window.wait("a refusal", |window| window.shows(&refusal));
         assert_eq!(std::fs::read(&scene).expect("still there"), saved);
     }
     // Nobody was asked about the file beside the one whose name was given.
