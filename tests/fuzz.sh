@@ -28,9 +28,14 @@ done
 
 for target in $targets; do
   mkdir -p "$work/artifacts/$target"
-  cargo fuzz run --fuzz-dir tests/fuzz --target-dir "$work/build" "$target" "$work/corpus/$target" -- \
+  log=$work/$target.log
+  if ! cargo fuzz run --fuzz-dir tests/fuzz --target-dir "$work/build" "$target" "$work/corpus/$target" -- \
     -runs="$runs" -max_len=65536 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1 \
-    -artifact_prefix="$work/artifacts/$target/" 2>&1 | grep -E "^stat::|^#[0-9]+.*DONE|ERROR|panicked|SUMMARY" || true
-  [ -z "$(ls -A "$work/artifacts/$target")" ] || { echo "$target: see $work/artifacts/$target" >&2; exit 1; }
+    -artifact_prefix="$work/artifacts/$target/" >"$log" 2>&1; then
+    tail -n 30 "$log" >&2
+    echo "$target: what it found lies in $work/artifacts/$target, what it said in $log" >&2
+    exit 1
+  fi
+  grep "^stat::" "$log"
   echo "$target: $runs inputs, no fault"
 done

@@ -6,7 +6,7 @@ use crate::derived::Derived;
 use crate::detail::Subset;
 use crate::draw_list::{Choice, DrawList, DrawSprite};
 use crate::facing::Poses;
-use crate::model_in_view::{ModelInView, aircraft_in_view};
+use crate::model_in_view::{ModelInView, models_in_view};
 use crate::posed_sprite::PosedSprite;
 use crate::rules::Rules;
 use crate::scene::Scene;
@@ -43,7 +43,7 @@ pub struct Frame<'a> {
     pub atlas: &'a Atlas,
     /// By which rules it is drawn.
     pub rules: Rules,
-    /// The aircraft in view, in any order.
+    /// The aircraft and props in view, in any order.
     pub models: Vec<ModelInView>,
 }
 
@@ -53,12 +53,11 @@ impl<'a> Frame<'a> {
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
         let now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), sight.moment, sight.rules.of_weather());
         let frame = Self::of(now, derived, atlas, sight);
-        let models =
-            aircraft_in_view((&scene.paths, &frame.now.aircraft), &sight.meshes, sight.moment.clock_s, frame.view.eye);
+        let models = models_in_view(&scene.paths, &frame.now, &sight.meshes, sight.moment.clock_s, frame.view.eye);
         Self { models, ..frame }
     }
 
-    /// As [`Frame::new`], but without aircraft, of a scene `now`, whatever the sight's moment is.
+    /// As [`Frame::new`], but without models, of a scene `now`, whatever the sight's moment is.
     pub fn of(now: SceneNow<'a>, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
         let Sight { hidden, history, rules, .. } = sight;
         let (clouds, clouds_version) = (&now.clouds, derived.version());

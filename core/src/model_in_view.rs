@@ -1,9 +1,10 @@
-//! Aircraft as one eye sees them at one moment.
+//! Aircraft and props as one eye sees them at one moment.
 
-use crate::flight::PathCurve;
+use crate::flight::{PathCurve, PathPoint};
 use crate::formats::model_glb;
 use crate::model_mesh::ModelMesh;
-use crate::scene::{Aircraft, CameraPath, List, PathId};
+use crate::scene::{Aircraft, CameraPath, List, PathId, Prop};
+use crate::weather::SceneNow;
 use glam::{DVec3, Quat, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
@@ -28,7 +29,7 @@ static BUILT_IN: LazyLock<Arc<ModelMesh>> = LazyLock::new(|| {
     Arc::new(read.unwrap_or_else(|_| ModelMesh::new(Vec::new())))
 });
 
-/// The shapes of aircraft that have a file of their own, by its name.
+/// The shapes of aircraft and props that have a file of their own, by its name.
 #[derive(Debug, Clone, PartialEq, Default)]
 pub struct Meshes(BTreeMap<String, Arc<ModelMesh>>);
 
@@ -50,28 +51,48 @@ impl Meshes {
     }
 }
 
-/// The `aircraft` that fly on `paths` as seen from `eye`, `clock_s` into their paths; one that has no path is left out. Before and
-/// after its path an aircraft stands at the end of it.
-pub fn aircraft_in_view(
+/// What flies on `paths` in a scene `now`, and what stands in it, as seen from `eye`, `clock_s` into the paths; an aircraft
+/// without a path is left out, and a prop whose file isn't here. Before and after its path an aircraft stands at the end
+/// of it.
+pub(crate) fn models_in_view(
+    paths: &List<CameraPath>,
+    now: &SceneNow<'_>,
+    meshes: &Meshes,
+    clock_s: f64,
+    eye: DVec3,
+) -> Vec<ModelInView> {
+    let mut models = props(&now.props, meshes, eye);
+    if !now.aircraft.is_empty() {
+        models.extend(aircraft((paths, &now.aircraft), meshes, clock_s, eye));
+    }
+    models
+}
+
+fn in_view(mesh: Arc<ModelMesh>, place: PathPoint, scale: f64, eye: DVec3) -> ModelInView {
+    ModelInView { mesh, from_eye: (place.position - eye).as_vec3(), turn: place.turn().as_quat(), scale: scale as f32 }
+}
+
+fn props(props: &List<Prop>, meshes: &Meshes, eye: DVec3) -> Vec<ModelInView> {
+    let one = |prop: &Prop| {
+        let Prop { position, heading_deg, pitch_deg, roll_deg, scale, .. } = *prop;
+        let place = PathPoint { position, heading_deg, pitch_deg, roll_deg };
+        Some(in_view(Arc::clone(meshes.0.get(&prop.model)?), place, scale, eye))
+    };
+    props.iter().filter_map(one).collect()
+}
+
+fn aircraft(
     (paths, aircraft): (&List<CameraPath>, &List<Aircraft>),
     meshes: &Meshes,
     clock_s: f64,
     eye: DVec3,
 ) -> Vec<ModelInView> {
-    if aircraft.is_empty() {
-        return Vec::new();
-    }
     let flown: FxHashSet<PathId> = aircraft.iter().map(|aircraft| aircraft.path).collect();
     let flown = paths.iter().filter(|path| flown.contains(&path.id));
     let curves: FxHashMap<PathId, PathCurve> = flown.map(|path| (path.id, PathCurve::new(path))).collect();
-    let in_view = aircraft.iter().filter_map(|aircraft| {
+    let flying = aircraft.iter().filter_map(|aircraft| {
         let place = curves.get(&aircraft.path)?.attitude_at(clock_s + aircraft.ahead_s);
-        Some(ModelInView {
-            mesh: meshes.of(aircraft),
-            from_eye: (place.position - eye).as_vec3(),
-            turn: place.turn().as_quat(),
-            scale: aircraft.scale as f32,
-        })
+        Some(in_view(meshes.of(aircraft), place, aircraft.scale, eye))
     });
-    in_view.collect()
+    flying.collect()
 }

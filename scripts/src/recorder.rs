@@ -320,6 +320,7 @@ impl Recorder {
             Owner::Thing(Thing::Camera(_)) => ids("the cameras", &scene.cameras),
             Owner::Thing(Thing::Path(_)) => ids("the paths", &scene.paths),
             Owner::Thing(Thing::Aircraft(_)) => ids("the aircraft", &scene.aircraft),
+            Owner::Thing(Thing::Prop(_)) => ids("the props", &scene.props),
             Owner::Thing(Thing::Model(_) | Thing::Box(..) | Thing::Group(..)) => ids("the models", &scene.models),
             _ => String::new(),
         };

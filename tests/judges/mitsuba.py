@@ -8,7 +8,7 @@ Run by hand in the project's root; PyPI has Mitsuba 3 ready:
 
 It exports SCENE as Mitsuba volumes, has Mitsuba (scalar_rgb) render the scene that is written with them, as it is, and
 lets PROGRAM render the same camera. OUT_FOLDER/volume.png has ours on the left and Mitsuba's on the right. It prints how
-long each took, and the mean difference of how much of the picture's blue each pixel has lost to cloud.
+long each took, and the mean colours of both.
 """
 
 import argparse

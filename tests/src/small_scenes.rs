@@ -4,8 +4,8 @@ use crate::authoring::{Sketch, Strew};
 use cloudwright_core::color::Rgb;
 use cloudwright_core::scene::{
     Aircraft, AircraftId, BoxId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, CullRadius, Formation,
-    GroupCenter, GroupId, GroupLight, HowFarFormed, KeyValue, ModelId, PathId, PathKey, Region, Scene, ShadingGroup,
-    SpriteEdit, Sun, Track, TrackId, TrackKey, Tuning,
+    GroupCenter, GroupId, GroupLight, HowFarFormed, KeyValue, ModelId, PathId, PathKey, Prop, PropId, Region, Scene,
+    ShadingGroup, SpriteEdit, Sun, Track, TrackId, TrackKey, Tuning,
 };
 use glam::{DQuat, DVec3, EulerRot};
 
@@ -125,6 +125,7 @@ pub fn everything() -> Scene {
     let path = CameraPath::new(PathId::new(next), "path", vec![key(1.0), key(20.0)]);
     scene.aircraft.push(Aircraft::new(AircraftId::new(next), "aircraft", path.id));
     scene.paths.push(path);
+    scene.props.push(Prop::new(PropId::new(next), "tower.glb", DVec3::new(10.0, 0.0, -20.0)));
     let tuning = Tuning { scale: 2.0, tint: Rgb::new(1.0, 0.5, 0.25) };
     (scene.sky.ambient_tuning, scene.sky.directional_tuning) = (tuning, tuning);
     scene.weather.region = Some(Region::default());

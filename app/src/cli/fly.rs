@@ -55,7 +55,7 @@ pub(super) struct Arguments {
     /// Folder to write the frames to, or a video, .mp4
     #[arg(short, long, value_name = "DIR|MP4")]
     output: PathBuf,
-    /// Frames to draw, from A up to but without B, or as farms write it, A-B, with B; all if not given
+    /// Frames to draw, from A up to but without B, or as queues of jobs write it, A-B, with B; all if not given
     #[arg(long, value_name = "A..B|A-B", value_parser = frames::range)]
     frames: Option<Range<u32>>,
     /// Frames a second, 1 to 240

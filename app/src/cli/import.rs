@@ -6,7 +6,7 @@ use super::progress::Progress;
 use super::run::failure as plugin_failure;
 use super::weather::layer_line;
 use super::{answer, counted, info, input, say};
-use crate::exchange::{CameIn, ChooseError, ComeInError, Placing, ReadError, choose, come_in, read};
+use crate::exchange::{CameIn, ChooseError, ComeInError, Placing, ReadError, called, choose, come_in, read};
 use crate::reports::{MOST_TIME, MakeError};
 use crate::state::empty_sky;
 use crate::storage::FileId;
@@ -19,18 +19,23 @@ use glam::DVec3;
 use std::path::PathBuf;
 use std::time::Instant;
 
+/// Of clouds: at a fair-weather cumulus' height.
+const USUAL_PLACE: DVec3 = DVec3::new(0.0, 1000.0, 0.0);
+
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
   cloudwright import cumulus.cld -o cumulus.cloudscene
   cloudwright import cumulus.cld sky.cloudscene -o more.cloudscene --at 2000,1200,-500
   cloudwright import Thunderstorms.WPR -o storm.cloudscene --seed 3
-  cloudwright import jet.glb sky.cloudscene -o flown.cloudscene
+  cloudwright import island.glb sky.cloudscene -o coast.cloudscene --at 0,0,-8000
+  cloudwright import jet.glb sky.cloudscene -o flown.cloudscene --set flies=yes
 
 The file's ending chooses the format, or else --format does; `cloudwright formats` lists them, with what each carries and
 what can be set of it. What could not be carried, and what the file does not say and was taken, is said on stderr. Without
 SCENE, what comes in stands alone under an empty day's sky. A weather preset's clouds are made by the plugins that ship, as
 many as cover the sky as it says, measured from below; they take the place of those that are there. A glTF model that was
-not exported from here becomes an aircraft on the scene's first path; its file is copied beside the scene that is written.")]
+not exported from here stands as a prop, or is an aircraft on the scene's first path with --set flies=yes; its file is copied
+beside the scene that is written.")]
 pub(super) struct Arguments {
     /// File to import; its ending chooses the format
     file: PathBuf,
@@ -45,9 +50,9 @@ pub(super) struct Arguments {
     /// What an option of the format is to be, as often as needed
     #[arg(long, value_name = "NAME=VALUE")]
     set: Vec<String>,
-    /// Where clouds are put: x east, y up, z south, metres
-    #[arg(long, value_name = "X,Y,Z", default_value = "0,1000,0", value_parser = place, allow_hyphen_values = true)]
-    at: DVec3,
+    /// Where it is put: x east, y up, z south, metres; clouds at 0,1000,0 if not given, a model at 0,0,0
+    #[arg(long, value_name = "X,Y,Z", value_parser = place, allow_hyphen_values = true)]
+    at: Option<DVec3>,
     /// Of weather: keep the clouds that are there
     #[arg(long)]
     keep_clouds: bool,
@@ -118,9 +123,10 @@ fn take(
     let Arguments { at, seed, keep_clouds: keeps_clouds, .. } = *arguments;
     let progress = Progress::start_stoppable("making the sky");
     let patience = Patience { cancelled: progress.watch().cancelled(), until: Some(Instant::now() + MOST_TIME) };
-    let came = come_in(document, content, &Placing { file_name, at, seed, keeps_clouds }, &patience);
+    let (at, model_at) = (at.unwrap_or(USUAL_PLACE), at.unwrap_or_default());
+    let came = come_in(document, content, &Placing { file_name, at, model_at, seed, keeps_clouds }, &patience);
     drop(progress);
-    let CameIn { models, clouds, layers, aircraft, notes: taken } = came.map_err(|error| match error {
+    let CameIn { models, clouds, layers, model, notes: taken } = came.map_err(|error| match error {
         ComeInError::Make(MakeError::Plugin { plugin, error }) => plugin_failure(plugin, &error),
         ComeInError::Make(broken) => Failure::could_not(broken.to_string(), "report this"),
         ComeInError::Edit(error) => Failure::argument(error.to_string(), "nothing is written; choose another --at"),
@@ -129,11 +135,12 @@ fn take(
         }
     })?;
     notes.extend(taken);
-    if let Some(ArrivedModel { size, triangles, .. }) = aircraft {
+    if let Some((thing, ArrivedModel { size, triangles, .. })) = model {
         let [width, height, length] = size.to_array();
         let triangles = counted(triangles, "triangle", "triangles");
         return Ok(vec![format!(
-            "an aircraft of {triangles}, {width:.1} m wide, {height:.1} m high, {length:.1} m long"
+            "{} of {triangles}, {width:.1} m wide, {height:.1} m high, {length:.1} m long",
+            called(thing)
         )]);
     }
     Ok(match content {

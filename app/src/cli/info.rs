@@ -7,7 +7,7 @@ use crate::visible::{self, one_line};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::measure::{Observer, sky_cover};
-use cloudwright_core::scene::{Beyond, CameraPath, CloudId, ModelId, PathId, Scene, Track};
+use cloudwright_core::scene::{Beyond, CameraPath, CloudId, ModelId, PathId, Prop, Scene, Track};
 use cloudwright_core::sprites::PlacedCloud;
 use glam::DVec3;
 use schemars::JsonSchema;
@@ -38,6 +38,8 @@ pub(super) struct SceneCounts {
     boxes: usize,
     cameras: Vec<String>,
     paths: Vec<PathCounts>,
+    /// What stands, by its name and its file's.
+    props: Vec<PropNames>,
     tracks: Vec<TrackCounts>,
     total: Total,
     /// Eighths of the sky that clouds cover at second 0, seen from the ground under their middle, above 10°.
@@ -53,6 +55,12 @@ struct PathCounts {
     keys: usize,
     /// The names of those that fly along it.
     aircraft: Vec<String>,
+}
+
+#[derive(Serialize, JsonSchema)]
+struct PropNames {
+    name: String,
+    model: String,
 }
 
 #[derive(Serialize, JsonSchema)]
@@ -149,6 +157,7 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> SceneCounts {
         boxes: scene.models.iter().map(|model| model.boxes.len()).sum(),
         cameras: scene.cameras.iter().map(|camera| camera.name.clone()).collect(),
         paths: paths(scene),
+        props: scene.props.iter().map(prop).collect(),
         tracks: scene.tracks.iter().map(count_track).collect(),
         coverage_oktas: 0.0,
         total: Total {
@@ -177,6 +186,10 @@ fn paths(scene: &Scene) -> Vec<PathCounts> {
     scene.paths.iter().map(count).collect()
 }
 
+fn prop(prop: &Prop) -> PropNames {
+    PropNames { name: prop.name.clone(), model: prop.model.clone() }
+}
+
 fn count_track(track: &Track) -> TrackCounts {
     let [from_s, to_s] = [track.keys.first(), track.keys.last()].map(|key| key.map_or(0.0, |key| key.time_s));
     let (keys, before, after) = (track.keys.len(), track.before, track.after);
@@ -192,7 +205,7 @@ const fn beyond_in_words(beyond: Beyond) -> &'static str {
 }
 
 fn as_text(counts: &SceneCounts) -> String {
-    let SceneCounts { name, models, boxes, cameras, paths, tracks, total, coverage_oktas, clouds } = counts;
+    let SceneCounts { name, models, boxes, cameras, paths, props, tracks, total, coverage_oktas, clouds } = counts;
     let [models, boxes] = [counted(*models, "model", "models"), counted(*boxes, "box", "boxes")];
     let mut out = one_line(&format!("{name}: {models}, {boxes}, {}", counted(total.clouds, "cloud", "clouds")));
     let _ = writeln!(out, "\ncameras: {}", one_line(&cameras.join(", ")));
@@ -209,6 +222,10 @@ fn as_text(counts: &SceneCounts) -> String {
             let _ = writeln!(out, "{name:<24} {duration_s:>10.1} {keys:>6}  {aircraft}");
         }
         out.push('\n');
+    }
+    if !props.is_empty() {
+        let props: Vec<String> = props.iter().map(|PropNames { name, model }| format!("{name} ({model})")).collect();
+        let _ = writeln!(out, "props: {}\n", one_line(&props.join(", ")));
     }
     write_tracks(&mut out, tracks);
     let _ = writeln!(out, "{:<24} {:>6} {:>8} {:>8} {:>6}  bounds, m", "cloud", "boxes", "tried", "sprites", "groups");

@@ -36,7 +36,7 @@ pub(super) struct Painter {
     renderer: Renderer,
     /// Whether the CPU may draw what the renderer can't.
     gives_way: bool,
-    /// Whether it has been said that the CPU leaves aircraft out.
+    /// Whether it has been said that the CPU leaves models out.
     has_told: bool,
 }
 
@@ -132,7 +132,7 @@ impl Painter {
             frame.rules = self.rules;
         }
         if !frame.models.is_empty() && !self.has_told {
-            say("aircraft are left out: only a GPU draws them");
+            say("aircraft and props are left out: only a GPU draws them");
             self.has_told = true;
         }
         draw(&mut self.renderer, &frame)

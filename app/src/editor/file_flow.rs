@@ -125,7 +125,7 @@ impl Editor {
             Ask::Export(_) => self.export_to(&path, asked_already),
             Ask::Leave(_) => self.leave_to(&path, asked_already, context),
             Ask::Arrive => self.ask_arriving(&path),
-            Ask::AircraftModel(id, _) => self.use_model(*id, &path),
+            Ask::Model(item, _) => self.use_model(*item, &path),
         }
     }
 

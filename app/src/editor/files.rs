@@ -4,9 +4,9 @@
 //! editor then asks for the path in a window of its own.
 
 use crate::plugins;
+use crate::state::Item;
 use cloudwright_core::exchange::FORMATS;
 use cloudwright_core::formats::scene_file::EXTENSION;
-use cloudwright_core::scene::AircraftId;
 use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::time::{Duration, Instant};
@@ -26,8 +26,8 @@ pub enum Ask {
     Leave(PathBuf),
     /// Of a file of another program's to read.
     Arrive,
-    /// Of that aircraft's model, which lies beside the scene's file.
-    AircraftModel(AircraftId, PathBuf),
+    /// Of the model of that aircraft or prop, which lies beside the scene's file.
+    Model(Item, PathBuf),
 }
 
 /// What came back.
@@ -58,7 +58,7 @@ impl FileDialogs for NativeDialogs {
     fn ask(&mut self, ask: &Ask, answer: Sender<Reply>, wake: Box<dyn FnOnce() + Send>) {
         let dialog = rfd::AsyncFileDialog::new();
         let dialog = match ask {
-            Ask::AircraftModel(..) => dialog.add_filter("glTF models", &["glb"]),
+            Ask::Model(..) => dialog.add_filter("glTF models", &["glb"]),
             Ask::Open | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
             Ask::SaveScript(_) => dialog.add_filter("Plugins", &[plugins::EXTENSION]),
             // Of the ending that the name has; a user may give another.
@@ -88,9 +88,7 @@ impl FileDialogs for NativeDialogs {
                 let dialog = dialog.set_title(title).set_file_name(name);
                 Box::pin(beside(start, dialog).save_file())
             }
-            Ask::AircraftModel(_, scene) => {
-                Box::pin(beside(scene, dialog).set_title("Model of the aircraft").pick_file())
-            }
+            Ask::Model(_, scene) => Box::pin(beside(scene, dialog).set_title("Choose model").pick_file()),
         };
         std::thread::spawn(move || {
             let reply = match pollster::block_on(file) {

@@ -8,7 +8,7 @@ use cloudwright_core::exchange::{
 };
 use cloudwright_core::formats::Misread;
 use cloudwright_core::reported::Sky;
-use cloudwright_core::scene::CloudId;
+use cloudwright_core::scene::{CloudId, Thing};
 use cloudwright_scripts::Patience;
 use glam::DVec3;
 use std::path::{Path, PathBuf};
@@ -68,6 +68,8 @@ pub struct Placing<'a> {
     pub file_name: &'a str,
     /// Where clouds are put, metres in the world.
     pub at: DVec3,
+    /// And where a model is.
+    pub model_at: DVec3,
     /// Of weather: another one is another sky.
     pub seed: u64,
     /// Of weather: whether the clouds that are there stay.
@@ -77,16 +79,24 @@ pub struct Placing<'a> {
 /// What came into a scene.
 #[derive(Debug, Clone, Default)]
 pub struct CameIn {
-    /// How many models.
+    /// How many models of clouds.
     pub models: usize,
     /// The clouds, where they came as such.
     pub clouds: Vec<CloudId>,
     /// A sky's layers.
     pub layers: Vec<MadeLayer>,
-    /// What flies.
-    pub aircraft: Option<ArrivedModel>,
+    /// What flies or stands, and as what.
+    pub model: Option<(Thing, ArrivedModel)>,
     /// What was taken, as the file does not say it.
     pub notes: Vec<Note>,
+}
+
+/// What a model has become, in words.
+pub fn called(model: Thing) -> &'static str {
+    match model {
+        Thing::Aircraft(_) => "an aircraft",
+        _ => "a prop",
+    }
 }
 
 /// Why nothing came in.
@@ -113,7 +123,7 @@ pub fn come_in(
     placing: &Placing<'_>,
     patience: &Patience,
 ) -> Result<CameIn, ComeInError> {
-    let Placing { file_name, at, seed, keeps_clouds } = *placing;
+    let Placing { file_name, at, model_at, seed, keeps_clouds } = *placing;
     match content {
         Content::Scene(_) => Err(ComeInError::Whole),
         Content::Weather(preset) => {
@@ -123,9 +133,9 @@ pub fn come_in(
             Ok(CameIn { layers: made.layers, ..CameIn::default() })
         }
         Content::Model(model) => {
-            let (edits, notes) = model.fly(document.scene(), file_name, at);
+            let (edits, thing, notes) = model.put(document.scene(), file_name, model_at);
             document.edit("Import", edits)?;
-            Ok(CameIn { aircraft: Some(model.clone()), notes, ..CameIn::default() })
+            Ok(CameIn { model: Some((thing, model.clone())), notes, ..CameIn::default() })
         }
         Content::Clouds(clouds) => {
             let (edits, placed) = ArrivedCloud::place_all(clouds, document.scene(), at);

@@ -4,5 +4,5 @@
 mod arriving;
 mod leaving;
 
-pub use arriving::{CameIn, ChooseError, ComeInError, Placing, ReadError, choose, come_in, read};
+pub use arriving::{CameIn, ChooseError, ComeInError, Placing, ReadError, called, choose, come_in, read};
 pub use leaving::{LeaveError, Left, Order, Subject, leave};

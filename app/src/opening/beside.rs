@@ -1,4 +1,4 @@
-//! The files that a scene names, read from beside it: its atlas and the shapes of its aircraft.
+//! The files that a scene names, read from beside it: its atlas and the shapes of its aircraft and props.
 //!
 //! They are found and judged here, once, so that `check`, `render`, `fly` and the editor say the same about them. What is
 //! built in stands in for a file with a problem.
@@ -25,7 +25,7 @@ pub struct Beside {
     names: Names,
 }
 
-/// The names of a scene's files: the atlas, and the aircraft's models.
+/// The names of a scene's files: the atlas, and the models of aircraft and props.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 struct Names {
     atlas: Option<String>,
@@ -45,17 +45,12 @@ impl Beside {
             }
         }
         for name in &beside.names.models {
-            match file(name, scene_path, model_glb::MAX_BYTES).and_then(|bytes| {
-                let hint = "take `model` out for the built-in aircraft";
-                model_glb::read(&bytes).map_err(|error| (error.to_string(), hint))
-            }) {
+            let (place, hint) = asker(name, scene);
+            match file(name, scene_path, model_glb::MAX_BYTES)
+                .and_then(|bytes| model_glb::read(&bytes).map_err(|error| (error.to_string(), hint)))
+            {
                 Ok(mesh) => beside.meshes.insert(name.clone(), mesh),
-                Err((message, hint)) => {
-                    let mut aircraft = scene.aircraft.iter();
-                    let index = aircraft.position(|one| one.model.as_ref() == Some(name)).unwrap_or_default();
-                    let place = format!("aircraft[{index}].model");
-                    problems.push(Problem::error(place, format!("“{name}”: {message}"), hint));
-                }
+                Err((message, hint)) => problems.push(Problem::error(place, format!("“{name}”: {message}"), hint)),
             }
         }
         (beside, problems)
@@ -71,7 +66,7 @@ impl Beside {
         self.atlas.as_deref().unwrap_or_else(|| Atlas::built_in())
     }
 
-    /// The aircraft's shapes.
+    /// The shapes of aircraft and props.
     pub fn meshes(&self) -> &Meshes {
         &self.meshes
     }
@@ -88,14 +83,26 @@ pub(crate) struct Named {
 pub(crate) fn named(scene: &Scene) -> Vec<Named> {
     let Names { atlas, models } = Names::of(scene);
     let atlas = atlas.map(|name| Named { what: "atlas", name, max_bytes: MAX_ATLAS_BYTES });
-    let model = |name| Named { what: "aircraft's model", name, max_bytes: model_glb::MAX_BYTES };
+    let model = |name| Named { what: "model", name, max_bytes: model_glb::MAX_BYTES };
     atlas.into_iter().chain(models.into_iter().map(model)).filter(|named| is_beside(&named.name)).collect()
 }
 
 impl Names {
     fn of(scene: &Scene) -> Self {
-        let models = scene.aircraft.iter().filter_map(|aircraft| aircraft.model.clone());
+        let flying = scene.aircraft.iter().filter_map(|aircraft| aircraft.model.clone());
+        let models = flying.chain(scene.props.iter().map(|prop| prop.model.clone()));
         Self { atlas: scene.atlas.clone(), models: models.collect() }
+    }
+}
+
+/// Where the model of that name is asked for first, and what helps if it is none.
+fn asker(name: &str, scene: &Scene) -> (String, &'static str) {
+    match scene.aircraft.iter().position(|one| one.model.as_deref() == Some(name)) {
+        Some(index) => (format!("aircraft[{index}].model"), "take `model` out for the built-in aircraft"),
+        None => {
+            let index = scene.props.iter().position(|one| one.model == name).unwrap_or_default();
+            (format!("props[{index}].model"), "name another file, or take the prop out")
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! The values of what is selected. Several things of the primary's kind are changed together.
 
 use super::shading_groups::members;
-use super::{aircraft, camera, cloud, cloud_box, model};
+use super::{camera, cloud, cloud_box, model, models};
 use crate::command::Command;
 use crate::state::{Action, Choose, Item, Reading, box_of, group_of};
 use crate::widget::Fields;
@@ -57,7 +57,8 @@ fn of(ui: &mut Ui, primary: Item, reading: &Reading<'_>, actions: &mut Vec<Actio
             for_each_editable(&mut Plain { ui, primary: other, reading, actions });
             match other {
                 Item::Camera(id) => camera::views(ui, id, actions),
-                Item::Aircraft(id) => aircraft::model(ui, id, reading, actions),
+                Item::Aircraft(id) => models::aircraft(ui, id, reading, actions),
+                Item::Prop(id) => models::prop(ui, id, reading, actions),
                 _ => {}
             }
         }

@@ -2,7 +2,6 @@
 //!
 //! A new panel is a file here, a variant with its row in [`Panel::show`], and a command that brings it up.
 
-mod aircraft;
 mod bars;
 mod camera;
 mod chart;
@@ -15,6 +14,7 @@ mod flight;
 mod history;
 mod inspector;
 mod model;
+mod models;
 mod outline;
 mod palette;
 mod place_many;

@@ -12,7 +12,7 @@ use cloudwright_core::arrange::keys::Rekeyed;
 use cloudwright_core::document::Edit;
 use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::method::Method;
-use cloudwright_core::scene::{AircraftId, CameraId, CloudId, PathId};
+use cloudwright_core::scene::{CameraId, CloudId, PathId};
 
 /// Something to be done after the panels are drawn.
 #[derive(Debug)]
@@ -68,8 +68,8 @@ pub(crate) enum Action {
     SetFromView(CameraId),
     /// See what a path's key sees, at its time.
     GoToKey(PathId, usize),
-    /// Ask for the file of that aircraft's model.
-    ChooseModel(AircraftId),
+    /// Ask for the file of the model of that aircraft or prop.
+    ChooseModel(Item),
     /// Undo or redo until so many points are done.
     JumpTo(usize),
 }

@@ -52,7 +52,7 @@ impl Canvas {
     }
 
     /// Whether that draws aircraft too.
-    pub(super) fn draws_aircraft(&self) -> bool {
+    pub(super) fn draws_models(&self) -> bool {
         self.picture.is_by_gpu()
     }
 

@@ -27,6 +27,7 @@ mod pick;
 mod picture;
 mod places;
 mod plane;
+mod props;
 mod screen;
 mod steer;
 mod targets;
@@ -187,8 +188,8 @@ impl Viewport {
     }
 
     /// Whether that draws aircraft too.
-    pub(crate) fn draws_aircraft(&self) -> bool {
-        self.canvas.draws_aircraft()
+    pub(crate) fn draws_models(&self) -> bool {
+        self.canvas.draws_models()
     }
 
     /// What the last picture took.
@@ -232,6 +233,7 @@ impl Viewport {
         self.marks.paint(&painter, &screen, &sight, reading);
         wireframe::paint(&painter, &screen, reading);
         cameras::paint(&painter, &screen, reading);
+        props::paint(&painter, &screen, reading);
         let ridden = self.on_board.as_ref().map(|on_board| on_board.path);
         self.paths.paint(&painter, &screen, ridden, reading);
         self.work(ui, &response, &painter, &screen, reading, actions);

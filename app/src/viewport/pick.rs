@@ -1,10 +1,11 @@
 //! What lies under the pointer, nearest first; and how repeated clicks go through it. Sprites stand in as spheres.
 //!
 //! One click takes the nearest cloud. Again on the same place it takes the box under the pointer, then the boxes
-//! behind, then the clouds behind with theirs, and starts anew. Marked sprites and drawn cameras come first.
+//! behind, then the clouds behind with theirs, and starts anew. Marked sprites, drawn cameras and marked props come first.
 
 use super::cameras;
 use super::places;
+use super::props;
 use super::screen::Screen;
 use super::wireframe::shows_boxes_of;
 use crate::state::{Item, Reading, SpriteMarks};
@@ -72,6 +73,7 @@ pub(super) fn first(under: &[Picked], reading: &Reading<'_>) -> usize {
 pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Vec<Picked> {
     let mut under = Vec::new();
     under.extend(cameras::under(at, screen, reading).map(|id| Picked { item: Item::Camera(id), through: None }));
+    under.extend(props::under(at, screen, reading).map(|id| Picked { item: Item::Prop(id), through: None }));
     under.extend(dot_under(at, screen, reading));
     let ray = screen.ray(at);
     let mut met: Vec<(f32, &Cloud, Vec<BoxId>)> = of_clouds(reading, |cloud| reading.view.can_pick(cloud))

@@ -66,18 +66,26 @@ fn a_stage_comes_with_its_sheet() {
 }
 
 #[test]
-fn a_model_from_elsewhere_flies_and_lies_beside_the_scene() {
+fn a_model_from_elsewhere_stands_or_flies_and_lies_beside_the_scene() {
     let place = Place::new();
     std::fs::create_dir(place.path("models")).expect("a folder");
     place.put("models/jet.glb", include_bytes!("../../../assets/models/aircraft.glb"));
-    let said = place.does("import models/jet.glb good.cloudscene -o flown.cloudscene");
+    let said = place.does("import models/jet.glb good.cloudscene -o stands.cloudscene --at 10,0,-300");
+    assert!(said.contains("a prop of ") && said.contains("copied beside it: jet.glb"), "{said}");
+    let scene: Value = serde_json::from_slice(&place.read("stands.cloudscene")).expect("JSON");
+    let prop = &scene["scene"]["props"][0];
+    assert_eq!((&prop["model"], &prop["position"]), (&"jet.glb".into(), &serde_json::json!([10.0, 0.0, -300.0])));
+    assert!(place.does("info stands.cloudscene").contains("props: jet (jet.glb)"));
+    std::fs::remove_file(place.path("jet.glb")).expect("there");
+    place.refuses("check stands.cloudscene", 1, &["props[0].model", "beside the scene file"]);
+    let said = place.does("import models/jet.glb good.cloudscene -o flown.cloudscene --set flies=yes");
     assert!(said.contains("an aircraft of ") && said.contains("copied beside it: jet.glb"), "{said}");
     assert_eq!(place.read("jet.glb"), place.read("models/jet.glb"));
     assert_eq!(place.run("check flown.cloudscene").code, 0);
     let scene: Value = serde_json::from_slice(&place.read("flown.cloudscene")).expect("JSON");
     assert_eq!(scene["scene"]["aircraft"][0]["model"], "jet.glb");
     // Beside the scene already: nothing is copied, and once more it is another aircraft.
-    let said = place.does("import jet.glb flown.cloudscene -o two.cloudscene");
+    let said = place.does("import jet.glb flown.cloudscene -o two.cloudscene --set flies=yes");
     assert!(!said.contains("copied"), "{said}");
     // Another file of that name is not replaced, nor is anything written.
     place.put("models/jet.glb", &[&place.read("jet.glb")[..], b" "].concat());

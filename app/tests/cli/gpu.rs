@@ -23,9 +23,10 @@ fn a_picture_or_a_way_out() {
     }
 }
 
-/// An aircraft of the scene's own is drawn where its path has brought it; the CPU says that it draws none.
+/// An aircraft of the scene's own is drawn where its path has brought it, and a prop that stands there looks the same; the
+/// CPU says that it draws none.
 #[test]
-fn an_aircraft_at_its_place() {
+fn models_at_their_places() {
     let place = Place::new();
     place.put("own.glb", include_bytes!("../../../assets/models/aircraft.glb"));
     let key = |time_s: f64, x: f64| json!({ "time_s": time_s, "position": [x, 2486.0, 2975.0], "heading_deg": 90, "pitch_deg": 0 });
@@ -43,13 +44,21 @@ fn an_aircraft_at_its_place() {
         (ran.code == 0).then(|| (place.read("out.png"), ran.stderr))
     };
     let (_, said) = picture("--renderer cpu --at 2").expect("a picture");
-    assert!(said.contains("aircraft are left out"), "{said}");
+    assert!(said.contains("aircraft and props are left out"), "{said}");
     let (Some((before, _)), Some((here, said))) = (picture("--renderer gpu"), picture("--renderer gpu --at 2")) else {
         let required = std::env::var("CLOUDWRIGHT_REQUIRE_GPU").is_ok_and(|value| value == "1");
         return assert!(!required, "an adapter is required");
     };
     assert!(!said.contains("left out"), "{said}");
     assert!(before != here, "at 0 s it is beside the picture, at 2 s before the camera");
+    let stands = |scene: &mut serde_json::Value| {
+        scene["props"] = json!([{ "id": 902, "name": "mast", "model": "own.glb", "position": [0, 2486, 2975],
+            "heading_deg": 90 }]);
+        scene["next_id"] = json!(1000);
+    };
+    place.put("good.cloudscene", &changed(stands));
+    let (stood, _) = picture("--renderer gpu --at 2").expect("there is an adapter");
+    assert!(stood == here, "it stands where the other flew past");
 }
 
 /// Drivers are hidden from the program, so this holds on a machine with a GPU too.

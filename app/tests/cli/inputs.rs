@@ -53,7 +53,7 @@ fn no_output_is_an_input() {
     #[cfg(unix)]
     std::os::unix::fs::symlink(atlas, path("soft.png")).expect("allowed");
     let is_atlas = &["the scene's atlas, own.png", "another name"][..];
-    let is_model = &["the scene's aircraft's model, leader.json", "another name"][..];
+    let is_model = &["the scene's model, leader.json", "another name"][..];
     let is_scene = &["the scene itself", "another name"][..];
     for (words, wanted) in [
         ("render own.cloudscene -o own.png", is_atlas),

@@ -101,7 +101,7 @@ pub fn boxes(scene: &Scene, model: ModelId, ids: &[BoxId], offset: DVec3) -> Arr
     plan.done()
 }
 
-/// Copies of things that lie in lists of the scene by themselves: cameras, paths, aircraft. A copy that would hide its
+/// Copies of things that lie in lists of the scene by themselves: cameras, paths, aircraft, props. A copy that would hide its
 /// original steps aside; aircraft on a copied path stay on the old one. Clouds and models are copied by [`clouds`].
 pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
     let chosen: BTreeSet<Thing> = things.iter().copied().collect();

@@ -34,11 +34,13 @@ pub enum Part {
     Paths,
     /// What flies.
     Aircraft,
+    /// What stands.
+    Props,
 }
 
 impl Part {
     /// All of them.
-    pub const ALL: [Self; 13] = [
+    pub const ALL: [Self; 14] = [
         Self::Sprites,
         Self::Groups,
         Self::ColorLevels,
@@ -52,6 +54,7 @@ impl Part {
         Self::Cameras,
         Self::Paths,
         Self::Aircraft,
+        Self::Props,
     ];
 
     /// In a word or two.
@@ -70,6 +73,7 @@ impl Part {
             Self::Cameras => "cameras",
             Self::Paths => "paths",
             Self::Aircraft => "aircraft",
+            Self::Props => "props",
         }
     }
 
@@ -91,6 +95,7 @@ impl Part {
             Self::Cameras => !scene.cameras.is_empty(),
             Self::Paths => !scene.paths.is_empty(),
             Self::Aircraft => !scene.aircraft.is_empty(),
+            Self::Props => !scene.props.is_empty(),
         }
     }
 }

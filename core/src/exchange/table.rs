@@ -51,7 +51,7 @@ pub static FORMATS: &[Format] = &[
         ],
         corners: Corners::Always,
         write_options: glb::WRITE_OPTIONS,
-        read_options: &[],
+        read_options: glb::READ_OPTIONS,
         write: Some(glb::write),
         read: Some(Reader { read: glb::read, knows: glb::looks_like, max_bytes: glb::MAX_BYTES }),
     },

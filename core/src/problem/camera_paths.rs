@@ -1,4 +1,4 @@
-//! A path runs forward in time from its first key, and an aircraft's model lies beside the scene.
+//! A path runs forward in time from its first key, and the model of an aircraft or a prop lies beside the scene.
 //!
 //! Two places at one time can't both be flown through, and keys in disorder are mostly a slip of the pen. A path of one
 //! key stands still: mentioned, since it may be in the making. A scene from elsewhere has no business with files in
@@ -7,20 +7,25 @@
 use super::Problem;
 use super::scope::Scope;
 use crate::flight::SHORTEST_LEG_S;
-use crate::scene::{Aircraft, CameraPath};
+use crate::scene::{Aircraft, CameraPath, Prop};
 
 pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
     for (i, path) in scope.all::<CameraPath>() {
         check_path(i, path, problems);
     }
-    for (i, aircraft) in scope.all::<Aircraft>() {
-        if let Some(name) = aircraft.model.as_deref().filter(|name| !is_file_name(name)) {
-            problems.push(Problem::error(
-                format!("aircraft[{i}].model"),
-                format!("“{name}” doesn't lie beside the scene file"),
-                "copy it there, and give its name alone; take `model` out for the built-in aircraft",
-            ));
+    let mut check_name = |place: String, name: &str, hint: &str| {
+        if !is_file_name(name) {
+            problems.push(Problem::error(place, format!("“{name}” doesn't lie beside the scene file"), hint));
         }
+    };
+    for (i, aircraft) in scope.all::<Aircraft>() {
+        if let Some(name) = &aircraft.model {
+            let hint = "copy it there, and give its name alone; take `model` out for the built-in aircraft";
+            check_name(format!("aircraft[{i}].model"), name, hint);
+        }
+    }
+    for (i, prop) in scope.all::<Prop>() {
+        check_name(format!("props[{i}].model"), &prop.model, "copy it there, and give its name alone");
     }
 }
 

@@ -16,6 +16,7 @@ mod model;
 mod number;
 mod owner;
 mod path;
+mod prop;
 mod reach;
 mod row;
 mod scene;

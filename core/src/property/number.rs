@@ -55,6 +55,7 @@ numbers! {
     COLOR: "Colour", 0.0..=1000.0, "", "Linear light; above 1 is brighter than white.";
     ALPHA: "Opacity", 0.0..=1.0, "", "Opacity, 0 clear to 1 solid.";
     CLOUD_SCALE: "Scale", 0.001..=1000.0, "", "Scales the whole cloud with its sprites.";
+    MODEL_SCALE: "Scale", 0.001..=1000.0, "", "Scales the model.";
     BOX_SIZE: "Size", 0.0..=1e6, "m", "The box's full extent along its own axes.";
     SPRITE_SIZE: "Sprite size", 0.001..=1e5, "m", "Range of the sprites' width or height.";
     SPRITE_PLACE: "Place in the box", -1000.0..=1000.0, "", "Where a hand-moved sprite lies: −½ to ½ is within the box.";

@@ -18,6 +18,8 @@ macro_rules! kinds {
             Path: CameraPath, PathId, paths, "path", "Path";
             /// An aircraft.
             Aircraft: Aircraft, AircraftId, aircraft, "aircraft", "Aircraft";
+            /// A model that stands.
+            Prop: Prop, PropId, props, "prop", "Prop";
             /// A track of keys.
             Track: Track, TrackId, tracks, "track", "Track";
         }

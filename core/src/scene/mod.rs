@@ -18,6 +18,7 @@ mod list;
 mod listed;
 mod look;
 mod model;
+mod prop;
 mod shading_group;
 mod sun;
 mod thing;
@@ -39,6 +40,7 @@ pub use list::List;
 pub use listed::{ForKind, Listed, for_each_kind};
 pub use look::{Ground, Sky, Tuning};
 pub use model::{CloudModel, CullRadius};
+pub use prop::Prop;
 pub use shading_group::{GroupCenter, GroupLight, ShadingGroup};
 pub use sun::{Date, Site, Sun};
 pub use thing::{InScene, PoseMut, Thing};
@@ -91,6 +93,9 @@ pub struct Scene {
     /// Aircraft that fly along the paths.
     #[serde(default, skip_serializing_if = "List::is_empty")]
     pub aircraft: List<Aircraft>,
+    /// Models that stand: terrain, towers.
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub props: List<Prop>,
     /// What the scene's clock moves.
     #[serde(default, skip_serializing_if = "List::is_empty")]
     pub tracks: List<Track>,
@@ -148,6 +153,7 @@ impl Default for Scene {
             clouds: List::new(),
             paths: List::new(),
             aircraft: List::new(),
+            props: List::new(),
             tracks: List::new(),
         }
     }

@@ -1,7 +1,7 @@
 //! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
 
 use super::{AirNow, CloudNow, Light, Moment, Timeline, WeatherRules, clouds_now};
-use crate::scene::{Aircraft, Ground, List, Scene};
+use crate::scene::{Aircraft, Ground, List, Prop, Scene};
 use crate::sprites::PlacedCloud;
 
 /// A scene at one moment.
@@ -23,6 +23,8 @@ pub struct SceneNow<'a> {
     pub ground: Option<Ground>,
     /// The aircraft; where they are follows from their paths, when a frame asks for them.
     pub aircraft: List<Aircraft>,
+    /// What stands.
+    pub props: List<Prop>,
     /// The clouds, in their order.
     pub clouds: Vec<CloudNow<'a>>,
 }
@@ -53,6 +55,7 @@ impl<'a> SceneNow<'a> {
             inside_density: sky.inside_density as f32,
             ground: scene.ground.clone(),
             aircraft: scene.aircraft.clone(),
+            props: scene.props.clone(),
             clouds: clouds_now(clouds, timeline, moment.clock_s, rules),
         }
     }

@@ -187,6 +187,7 @@ impl Timeline {
             clouds: List::new(),
             paths: scene.paths.clone(),
             aircraft: scene.aircraft.clone(),
+            props: scene.props.clone(),
             tracks: List::new(),
         };
         for at in &self.of_others {

@@ -38,7 +38,7 @@ pub(super) const USAGE: &[Usage] = &[
     (
         "copy",
         "copy([\"camera/1\", \"path/3\"])",
-        "Copies cameras, paths and aircraft with their tracks; gives the copies' addresses.",
+        "Copies cameras, paths, aircraft and props with their tracks; gives the copies' addresses.",
     ),
     ("join", "join([7, 8])", "Makes one cloud of several: the first of them; gives its id."),
     ("split", "split(cloud, [box])", "Parts boxes off into a cloud of their own; gives that cloud's id."),
@@ -144,7 +144,8 @@ fn things(recorder: &Recorder, addresses: &Dynamic) -> Result<Vec<Thing>, Said> 
 
 fn copy_things(recorder: &mut Recorder, addresses: &Dynamic) -> Result<Array, Said> {
     let things = things(recorder, addresses)?;
-    if let Some(other) = things.iter().find(|t| !matches!(t, Thing::Camera(_) | Thing::Path(_) | Thing::Aircraft(_))) {
+    let alone = |t: &&Thing| matches!(t, Thing::Camera(_) | Thing::Path(_) | Thing::Aircraft(_) | Thing::Prop(_));
+    if let Some(other) = things.iter().find(|thing| !alone(thing)) {
         return Err(Said::script(
             format!("a {} is not copied so", other.word()),
             "duplicate and duplicate_boxes are for these",

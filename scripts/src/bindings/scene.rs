@@ -18,6 +18,7 @@ pub(super) const USAGE: &[Usage] = &[
     ("cameras", "cameras()", "The ids of all cameras."),
     ("paths", "paths()", "The ids of all camera paths."),
     ("aircraft", "aircraft()", "The ids of all aircraft."),
+    ("props", "props()", "The ids of all props: terrain, towers, what stands."),
     ("groups", "groups(model)", "The ids of a model's shading groups."),
     ("boxes", "boxes(model)", "The ids of a model's boxes."),
     ("boxes_of", "boxes_of(cloud)", "The ids of the boxes of a cloud's model."),
@@ -96,6 +97,8 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     engine.register_fn("paths", move || ids(&own.borrow().scene().paths));
     let own = with();
     engine.register_fn("aircraft", move || ids(&own.borrow().scene().aircraft));
+    let own = with();
+    engine.register_fn("props", move || ids(&own.borrow().scene().props));
     let own = with();
     engine.register_fn("groups", move |of: Dynamic| -> Answer<Array> {
         ids(&model(own.borrow().scene(), convert::count("the model", &of)?)?.groups)

@@ -12,7 +12,7 @@ use cloudwright_core::problem::{self, Problem};
 use cloudwright_core::property::{Described, Owner};
 use cloudwright_core::scene::{
     Aircraft, AircraftId, BoxId, Camera, CameraId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, GroupId,
-    IdCounter, ModelId, PathId, ShadingGroup, Thing,
+    IdCounter, ModelId, PathId, Prop, PropId, ShadingGroup, Thing,
 };
 use glam::DVec3;
 use rhai::{Array, Dynamic, Engine, ImmutableString, Map};
@@ -38,6 +38,11 @@ pub(super) const USAGE: &[Usage] = &[
         "Adds a camera path, its keys in order of time; gives its id.",
     ),
     ("add_aircraft", "add_aircraft(#{ path: path, ahead_s: 4 })", "Adds an aircraft to a path; gives its id."),
+    (
+        "add_prop",
+        "add_prop(#{ model: \"tower.glb\", position: [0, 0, -2000] })",
+        "Adds a model that stands, of a file beside the scene's; gives its id.",
+    ),
     (
         "add_preset",
         "add_preset(\"cumulus_humilis\", [0, 900, 0])",
@@ -157,6 +162,16 @@ fn add_aircraft(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
     Ok(id)
 }
 
+fn add_prop(recorder: &mut Recorder, fields: &Map) -> Result<u64, Said> {
+    let make = |counter: &mut IdCounter| {
+        let usual = Prop::new(PropId::new(counter), "", DVec3::ZERO);
+        sound(Thing::Prop(usual.id), "prop", filled("prop", &usual, fields, &[IDS])?)
+    };
+    let id = recorder.add(make, Edit::Prop)?;
+    recorder.check(&[Thing::Prop(PropId(id))])?;
+    Ok(id)
+}
+
 fn preset(name: &str) -> Result<&'static Preset, Said> {
     Preset::by_name(name).ok_or_else(|| {
         let names: Vec<&str> = Preset::ALL.iter().map(|preset| preset.name).collect();
@@ -220,6 +235,8 @@ pub(super) fn register(engine: &mut Engine, recorder: &Shared) {
     engine.register_fn("add_aircraft", move |fields: Map| {
         answer(add_aircraft(&mut own.borrow_mut(), &fields).and_then(of_id))
     });
+    let own = Rc::clone(recorder);
+    engine.register_fn("add_prop", move |fields: Map| answer(add_prop(&mut own.borrow_mut(), &fields).and_then(of_id)));
     let own = Rc::clone(recorder);
     engine.register_fn("add_preset", move |name: ImmutableString, at: Dynamic| -> Answer<Dynamic> {
         let at = vector("the place", &at)?;

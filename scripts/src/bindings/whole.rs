@@ -77,6 +77,7 @@ impl Whole<'_> {
             Owner::Thing(Thing::Cloud(id)) => listed!(Cloud, scene.clouds, id),
             Owner::Thing(Thing::Path(id)) => listed!(Path, scene.paths, id),
             Owner::Thing(Thing::Aircraft(id)) => listed!(Aircraft, scene.aircraft, id),
+            Owner::Thing(Thing::Prop(id)) => listed!(Prop, scene.props, id),
             Owner::Thing(Thing::Box(of, id)) => {
                 let old = model(of)?.boxes.with_id(id).ok_or_else(gone)?;
                 self.of(old, |new| Edit::Box(of, ListEdit::Replace(new)))

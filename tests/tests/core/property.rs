@@ -231,6 +231,7 @@ const LEFT_OUT: &[&str] = &[
     "clouds[].id",
     "paths[].id",
     "aircraft[].id",
+    "props[].id",
     "tracks[].id",
     // What keys say, checks of their own hold against the property that they are of (core/src/problem/tracks.rs).
     "tracks[].keys[].time_s",

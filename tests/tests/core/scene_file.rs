@@ -2,8 +2,9 @@
 
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::Severity;
-use cloudwright_core::scene::{Aircraft, AircraftId, Formation, FormationChange, PathId};
+use cloudwright_core::scene::{Aircraft, AircraftId, Formation, FormationChange, PathId, Prop, PropId};
 use cloudwright_tests::small_scenes::heap;
+use glam::DVec3;
 use proptest::prelude::*;
 
 fn good() -> String {
@@ -87,11 +88,13 @@ fn what_flights_leave_out_has_its_default() {
     scene["paths"] =
         serde_json::json!([{ "id": 50, "name": "through", "field_of_view_deg": 50, "keys": [key(0), key(9)] }]);
     scene["aircraft"] = serde_json::json!([{ "id": 51, "name": "leader", "path": 50 }]);
+    scene["props"] = serde_json::json!([{ "id": 52, "name": "prop", "model": "mast.glb", "position": [1, 2, 3] }]);
     let scene = scene_file::read(json.to_string().as_bytes()).expect("sound");
     let change = FormationChange::Dissipating;
     assert_eq!(scene.clouds[0].formation, Some(Formation { change, core_s: 5.0, ..Formation::default() }));
     assert_eq!(scene.paths[0].keys[1].roll_deg, 0.0);
     assert_eq!(scene.aircraft, vec![Aircraft::new(AircraftId(51), "leader", PathId(50))].into());
+    assert_eq!(scene.props, vec![Prop::new(PropId(52), "mast.glb", DVec3::new(1.0, 2.0, 3.0))].into());
     assert_eq!(scene.sky.inside_density, 1.0);
     let text = scene_file::write(&scene).expect("finite");
     assert!(!text.contains("inside_density"), "the default is not written");

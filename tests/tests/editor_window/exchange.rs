@@ -3,6 +3,7 @@
 use crate::Window;
 use cloudwright::command::Command;
 use cloudwright::editor::Reply;
+use cloudwright::state::Item;
 use cloudwright_tests::root;
 use egui::accesskit::{Role, Toggled};
 use egui_kittest::kittest::{NodeT, Queryable};
@@ -130,6 +131,37 @@ fn clouds_come_in_as_one_undo_point() {
     window.import(&root().join("README.md"));
     assert!(window.shows("Nothing was imported"));
     window.press("OK");
+    assert_eq!((window.file(), window.undo_name()), (start, None));
+}
+
+#[test]
+fn a_model_stands_on_the_ground_and_has_its_values() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [scene, tower, mast] = ["sky.cloudscene", "tower.glb", "mast.glb"].map(|name| folder.path().join(name));
+    for model in [&tower, &mast] {
+        std::fs::copy(root().join("assets/models/aircraft.glb"), model).expect("it ships");
+    }
+    let mut window = Window::open();
+    window.settle();
+    window.answer(Reply::Path(scene));
+    window.press("Save");
+    let start = window.file();
+    window.import(&tower);
+    window.press("Import");
+    window.wait("the prop", |window| window.scene().props.len() == 1);
+    window.settle();
+    window.end_import();
+    let prop = |window: &Window| window.scene().props[0].clone();
+    assert_eq!((prop(&window).name.as_str(), prop(&window).position.y), ("tower", 0.0));
+    assert_eq!(window.harness.state().selection().items(), [Item::Prop(prop(&window).id)]);
+    window.set("Scale", 2.5);
+    assert_eq!(prop(&window).scale, 2.5);
+    window.answer(Reply::Path(mast));
+    window.press("Model of tower");
+    assert_eq!((prop(&window).model.as_str(), window.undo_name().as_deref()), ("mast.glb", Some("Prop's model")));
+    for _ in 0..3 {
+        window.command(Command::Undo);
+    }
     assert_eq!((window.file(), window.undo_name()), (start, None));
 }
 

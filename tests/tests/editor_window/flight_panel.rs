@@ -261,7 +261,7 @@ fn aircraft_fly_along_the_path_with_a_model_beside_the_scene() {
     choose(&mut window, &elsewhere);
     assert!(window.shows("lie beside the scene"));
     choose(&mut window, &model);
-    assert!(matches!(window.script.asked.borrow().last(), Some(Ask::AircraftModel(of, _)) if *of == id));
+    assert!(matches!(window.script.asked.borrow().last(), Some(Ask::Model(of, _)) if *of == Item::Aircraft(id)));
     assert_eq!(window.scene().aircraft[0].model.as_deref(), Some("jet.glb"));
     window.press("Delete aircraft");
     assert!(window.scene().aircraft.is_empty());

@@ -94,6 +94,7 @@ fn everything(scene: &Scene) -> Vec<Item> {
     items.extend(scene.cameras.iter().map(|camera| Item::Camera(camera.id)));
     items.extend(scene.paths.iter().map(|path| Item::Path(path.id)));
     items.extend(scene.aircraft.iter().map(|aircraft| Item::Aircraft(aircraft.id)));
+    items.extend(scene.props.iter().map(|prop| Item::Prop(prop.id)));
     items
 }
 

@@ -54,9 +54,13 @@ fn paths_are_added_flown_and_timed() {
          let thinned = thin_keys(fields(`path/${path}`).keys, 5000, 90);
          change(`path/${path}`, #{ keys: thinned, field_of_view_deg: 40 });
          let leader = add_aircraft(#{ path: path, name: \"leader\", ahead_s: 2 });
+         let tower = add_prop(#{ model: \"tower.glb\", position: [0, 0, -500], heading_deg: 30 });
+         if props() != [tower] || get(`prop/${tower}/position`) != [0.0, 0.0, -500.0] { throw \"props\" }
+         change(`prop/${tower}`, #{ model: \"mast.glb\" });
+         if fields(`prop/${tower}`).model != \"mast.glb\" { throw \"its file\" }
          if aircraft() != [leader] || paths() != [path] { throw \"listed\" }
-         let copies = copy([`path/${path}`, `camera/${cameras()[0]}`]);
-         if copies.len() != 2 || !has(copies[0]) || !has(copies[1]) { throw `${copies}` }",
+         let copies = copy([`path/${path}`, `camera/${cameras()[0]}`, `prop/${tower}`]);
+         if copies.len() != 3 || !has(copies[0]) || !has(copies[1]) { throw `${copies}` }",
     );
     assert_eq!((scene.paths.len(), scene.paths[0].keys.len(), scene.aircraft.len()), (2, 2, 1));
     assert!((scene.paths[0].field_of_view_deg - 40.0).abs() < 1e-9);

@@ -85,7 +85,7 @@ impl Dialogs {
             Ask::Save(path) | Ask::Export(path) | Ask::Leave(path) | Ask::SaveScript(path) => {
                 path.display().to_string()
             }
-            Ask::AircraftModel(_, scene) => scene.with_file_name("aircraft.glb").display().to_string(),
+            Ask::Model(_, scene) => scene.with_file_name("model.glb").display().to_string(),
         };
         self.open(Dialog::Path { ask, text });
     }

@@ -14,7 +14,7 @@ pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Opti
         Ask::SaveScript(_) => ("Save script as", "Save"),
         Ask::Export(_) | Ask::Leave(_) => ("Export as", "Export"),
         Ask::Arrive => ("Import", "Import"),
-        Ask::AircraftModel(..) => ("Model of the aircraft", "Choose"),
+        Ask::Model(..) => ("Choose model", "Choose"),
     };
     window(context, theme::DIALOG_WIDTH, title, None, |ui| {
         ui.label("This desktop shows no file dialog (it has no portal and no zenity).");

@@ -3,7 +3,7 @@
 use super::Progress;
 use crate::editor::Editor;
 use crate::editor::intent::Intent;
-use crate::exchange::{CameIn, ComeInError, Placing, ReadError, choose, come_in, read};
+use crate::exchange::{CameIn, ComeInError, Placing, ReadError, called, choose, come_in, read};
 use crate::panel::{self, ArrivingForm, ExchangeAnswer};
 use crate::reports::{MOST_TIME, MakeError, words};
 use crate::state::{Item, Selection};
@@ -42,6 +42,7 @@ struct Request {
     options: Options,
     scene: Arc<Scene>,
     at: DVec3,
+    model_at: DVec3,
     seed: u64,
     keeps_clouds: bool,
     /// Whether it lies where a scene can name it.
@@ -64,7 +65,7 @@ impl Arriving {
 }
 
 fn carry_out(request: Request, watch: &Watch) -> Outcome {
-    let Request { path, format, options, scene, at, seed, keeps_clouds, is_beside } = request;
+    let Request { path, format, options, scene, at, model_at, seed, keeps_clouds, is_beside } = request;
     let arrived = read(&path, format, &options).map_err(|error| match error {
         ReadError::Misread { misread, .. } => format!("{misread}, read as {}", format.title),
         ReadError::Storage(error) => error.to_string(),
@@ -74,12 +75,10 @@ fn carry_out(request: Request, watch: &Watch) -> Outcome {
         return Ok(Some((Came::Whole(scene), notes)));
     }
     if matches!(content, Content::Model(_)) && !is_beside {
-        return Err(
-            "it is the model of an aircraft, which has to lie beside the scene's file; copy it there first".into()
-        );
+        return Err("it is a model, which has to lie beside the scene's file; copy it there first".into());
     }
     let file_name = path.file_name().and_then(|name| name.to_str()).ok_or("its name is no text")?;
-    let placing = Placing { file_name, at, seed, keeps_clouds };
+    let placing = Placing { file_name, at, model_at, seed, keeps_clouds };
     let mut document = Document::new(Scene::clone(&scene));
     let patience = Patience { cancelled: watch.cancelled(), until: Some(Instant::now() + MOST_TIME) };
     match come_in(&mut document, &content, &placing, &patience) {
@@ -133,8 +132,8 @@ impl Editor {
                 }
                 Ok(Some((Came::Edits(name, edits, came), notes))) => match self.session.edit(&name, edits) {
                     Ok(()) => {
-                        let clouds: Vec<Item> = came.clouds.iter().map(|id| Item::Cloud(*id)).collect();
-                        self.select(Selection::of(clouds));
+                        let clouds = came.clouds.iter().map(|id| Item::Cloud(*id));
+                        self.select(Selection::of(clouds.chain(came.model.iter().map(|(thing, _)| *thing))));
                         Progress::Done(told(&came), notes)
                     }
                     Err(error) => Progress::Choosing(Some(format!("Nothing came in: {error}."))),
@@ -160,12 +159,15 @@ impl Editor {
 
     fn begin_arriving(&mut self, asked: &mut Asked, context: &egui::Context) {
         asked.before = self.session.document().mark();
+        let at = self.viewport.looked_at();
         let request = Request {
             path: asked.path.clone(),
             format: asked.format,
             options: asked.options.clone(),
             scene: Arc::new(self.session.scene().clone()),
-            at: self.viewport.looked_at(),
+            at,
+            // On the ground below it.
+            model_at: at.with_y(0.0),
             seed: self.arriving.seed,
             keeps_clouds: self.arriving.keeps_clouds,
             is_beside: self.lies_beside(&asked.path),
@@ -190,8 +192,8 @@ fn told(came: &CameIn) -> Vec<String> {
     if !came.layers.is_empty() {
         return came.layers.iter().map(layer).collect();
     }
-    if let Some(model) = &came.aircraft {
-        return vec![format!("an aircraft of {}", counted(model.triangles, "triangle"))];
+    if let Some((thing, model)) = &came.model {
+        return vec![format!("{} of {}", called(*thing), counted(model.triangles, "triangle"))];
     }
     match (came.models, came.clouds.len()) {
         (0, 0) => vec!["no clouds".into()],

@@ -8,7 +8,7 @@ use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::flight::leg_speed_mps;
 use cloudwright_core::property::LEG_SPEED_MPS;
-use cloudwright_core::scene::{Aircraft, AircraftId, CameraPath, PathId, PathKey};
+use cloudwright_core::scene::{Aircraft, AircraftId, CameraPath, PathId, PathKey, Prop};
 use std::path::Path;
 
 /// A key after the last one comes so much later at least, seconds.
@@ -95,11 +95,11 @@ impl Editor {
         self.edit_and_select(Command::AddAircraft, edits, Selection::of([Item::Aircraft(id)]));
     }
 
-    /// Asks for the file of an aircraft's model, which lies beside the scene's.
-    pub(super) fn choose_model(&mut self, id: AircraftId, context: &egui::Context) {
+    /// Asks for the file of the model of an aircraft or a prop, which lies beside the scene's.
+    pub(super) fn choose_model(&mut self, of: Item, context: &egui::Context) {
         match self.session.path() {
-            Some(scene) => self.ask(Ask::AircraftModel(id, scene.into()), context),
-            None => self.tell_error("Save the scene first: an aircraft's model lies beside the scene's file"),
+            Some(scene) => self.ask(Ask::Model(of, scene.into()), context),
+            None => self.tell_error("Save the scene first: a model lies beside the scene's file"),
         }
     }
 
@@ -109,15 +109,26 @@ impl Editor {
         self.session.path().and_then(folder).is_some_and(|beside| folder(file) == Some(beside))
     }
 
-    /// Gives an aircraft the model of that file.
-    pub(in crate::editor) fn use_model(&mut self, id: AircraftId, file: &Path) {
-        let Some(aircraft) = self.session.scene().aircraft.with_id(id) else { return };
+    /// Gives an aircraft or a prop the model of that file.
+    pub(in crate::editor) fn use_model(&mut self, of: Item, file: &Path) {
+        let scene = self.session.scene();
+        let replacing = |model: String| match of {
+            Item::Aircraft(id) => {
+                let aircraft = Aircraft { model: Some(model), ..scene.aircraft.with_id(id)?.clone() };
+                Some(("Aircraft's model", Edit::Aircraft(ListEdit::Replace(aircraft))))
+            }
+            Item::Prop(id) => {
+                let prop = Prop { model, ..scene.props.with_id(id)?.clone() };
+                Some(("Prop's model", Edit::Prop(ListEdit::Replace(prop))))
+            }
+            _ => None,
+        };
         let is_beside = self.lies_beside(file);
         let name = file.file_name().and_then(|name| name.to_str());
         match name.filter(|_| is_beside && file.is_file()) {
             Some(name) => {
-                let aircraft = Aircraft { model: Some(name.into()), ..aircraft.clone() };
-                let done = self.session.edit("Aircraft's model", vec![Edit::Aircraft(ListEdit::Replace(aircraft))]);
+                let Some((what, edit)) = replacing(name.into()) else { return };
+                let done = self.session.edit(what, vec![edit]);
                 self.report(done);
             }
             None => self.tell_error(format!(

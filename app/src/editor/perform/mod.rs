@@ -45,7 +45,7 @@ impl Editor {
                     self.view.keep_what_is_in(self.session.scene());
                 }
                 Action::GoToKey(path, index) => self.go_to_key(path, index),
-                Action::ChooseModel(aircraft) => self.choose_model(aircraft, context),
+                Action::ChooseModel(item) => self.choose_model(item, context),
                 Action::JumpTo(count) => {
                     self.session.jump_to(count);
                     self.view.timeline.forget_changes();

@@ -2,7 +2,7 @@
 
 use super::button;
 use crate::command::Command;
-use crate::panel::aircraft::model_menu;
+use crate::panel::models::aircraft_menu;
 use crate::state::{Action, Item, Reading};
 use crate::theme::icon;
 use crate::widget::{name_it, number_field};
@@ -16,7 +16,7 @@ pub(super) fn show(ui: &mut Ui, path: &CameraPath, reading: &Reading<'_>, action
     if here.is_empty() {
         ui.weak("None flies along this path.");
     }
-    let is_only_marked = !here.is_empty() && !reading.draws_aircraft;
+    let is_only_marked = !here.is_empty() && !reading.draws_models;
     Grid::new("traffic").num_columns(4).show(ui, |ui| {
         for aircraft in here {
             line(ui, aircraft, reading, actions);
@@ -43,7 +43,7 @@ fn line(ui: &mut Ui, aircraft: &Aircraft, reading: &Reading<'_>, actions: &mut V
         let live = ui.input(|input| input.pointer.any_down());
         actions.push(Action::change("Change aircraft", Edit::Aircraft(ListEdit::Replace(aircraft)), live));
     }
-    model_menu(ui, aircraft, actions);
+    aircraft_menu(ui, aircraft, actions);
     let delete = ui.button(icon::TRASH);
     name_it(ui, &delete, &format!("Delete {name}"));
     if delete.on_hover_text("Delete aircraft").clicked() {

@@ -45,6 +45,14 @@ pub(super) const WRITE_OPTIONS: &[OptionRow] = &[OptionRow {
     doc: "Whether each cloud is a mesh with the colours of all corners, for readers without instances:",
 }];
 
+const FLIES: &str = "flies";
+/// What can be set of a file that is read.
+pub(super) const READ_OPTIONS: &[OptionRow] = &[OptionRow {
+    name: FLIES,
+    kind: OptionKind::Flag(false),
+    doc: "Whether a model is an aircraft, its nose along −z, and does not stand as terrain or a tower does:",
+}];
+
 /// The nodes of the file while they are made.
 #[derive(Debug, Default)]
 struct Nodes {

@@ -1,6 +1,7 @@
 //! A binary glTF file that comes in: the scene that it was made from, or else the shape of an aircraft.
 
 use super::EXTRAS;
+use super::FLIES;
 use crate::exchange::{Arrived, ArrivedModel, Arriving, Content, Note};
 use crate::formats::{Misread, model_glb, scene_file};
 use serde::Deserialize;
@@ -72,6 +73,6 @@ fn model(root: &Root, arriving: &Arriving<'_>) -> Result<Arrived, Misread> {
     let note = Note::left_out(left.join(", "), "a model is its triangles, with the colours of faces and vertices");
     Ok(Arrived {
         notes: if left.is_empty() { Vec::new() } else { vec![note] },
-        content: Content::Model(ArrivedModel::of(&mesh, arriving.name)),
+        content: Content::Model(ArrivedModel::of(&mesh, arriving.name, arriving.options.flag(FLIES))),
     })
 }

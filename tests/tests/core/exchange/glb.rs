@@ -9,7 +9,7 @@ use cloudwright_core::flight::PathCurve;
 use cloudwright_core::formats::{Misread, model_glb, scene_file};
 use cloudwright_core::posed_sprite::Still;
 use cloudwright_core::scene::{
-    Cloud, CloudId, Formation, FormationChange, HowFarFormed, KeyValue, Scene, Track, TrackId, TrackKey,
+    Cloud, CloudId, Formation, FormationChange, HowFarFormed, KeyValue, Scene, Thing, Track, TrackId, TrackKey,
 };
 use cloudwright_core::weather::{Light, WeatherRules};
 use cloudwright_tests::small_scenes::{everything, heap};
@@ -335,14 +335,25 @@ fn triangle() -> Value {
 }
 
 #[test]
-fn a_model_from_elsewhere_flies() {
+fn a_model_from_elsewhere_stands_or_flies() {
     let plane = std::fs::read(cloudwright_tests::root().join("assets/models/aircraft.glb")).expect("it ships");
-    let Content::Model(model) = super::arrived(&plane, "jet.glb", &[]).expect("a model").content else { panic!() };
+    let of = |options: &[(&str, &str)]| match super::arrived(&plane, "jet.glb", options).expect("a model").content {
+        Content::Model(model) => model,
+        other => panic!("{other:?}"),
+    };
+    let at = DVec3::new(100.0, 900.0, -50.0);
+    let mut document = Document::new(everything());
+    let (edits, thing, notes) = of(&[]).put(document.scene(), "tower.glb", at);
+    document.edit("Import", edits).expect("it fits");
+    let prop = document.scene().props.iter().next_back().expect("one more").clone();
+    assert_eq!((thing, notes), (Thing::Prop(prop.id), Vec::new()));
+    assert_eq!((prop.model.as_str(), prop.position, prop.scale), ("tower.glb", at, 1.0));
+    let model = of(&[("flies", "yes")]);
     let mesh = model_glb::read(&plane).expect("sound");
     assert_eq!(model.triangles * 3, mesh.vertices().len());
     for scene in [Scene::default(), everything()] {
         let mut document = Document::new(scene.clone());
-        let (edits, notes) = model.fly(&scene, "jet.glb", DVec3::new(100.0, 900.0, -50.0));
+        let (edits, _, notes) = model.put(&scene, "jet.glb", at);
         document.edit("Import", edits).expect("it fits");
         let after = document.scene();
         let aircraft = after.aircraft.iter().next_back().expect("one more");
@@ -352,7 +363,7 @@ fn a_model_from_elsewhere_flies() {
         document.undo();
         assert_eq!(document.scene(), &scene, "one step");
     }
-    let (edits, _) = model.fly(&Scene::default(), "../jet.glb", DVec3::ZERO);
+    let (edits, ..) = model.put(&Scene::default(), "../jet.glb", DVec3::ZERO);
     let error = Document::new(Scene::default()).edit("Import", edits).expect_err("elsewhere").to_string();
     assert!(error.contains("“../jet.glb” doesn't lie beside the scene file"), "{error}");
 }

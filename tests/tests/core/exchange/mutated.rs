@@ -97,7 +97,7 @@ fn check(bytes: &[u8], name: &str) {
             }
             Content::Model(model) => {
                 assert!(model.triangles > 0 && model.size.is_finite());
-                let (edits, _) = model.fly(&Scene::default(), "a.glb", DVec3::ZERO);
+                let (edits, ..) = model.put(&Scene::default(), "a.glb", DVec3::ZERO);
                 Document::new(Scene::default()).edit("Import", edits).expect("it fits");
             }
             Content::Scene(scene) => {
