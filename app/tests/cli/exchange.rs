@@ -74,7 +74,7 @@ fn a_model_from_elsewhere_stands_or_flies_and_lies_beside_the_scene() {
     assert!(said.contains("a prop of ") && said.contains("copied beside it: jet.glb"), "{said}");
     let scene: Value = serde_json::from_slice(&place.read("stands.cloudscene")).expect("JSON");
     let prop = &scene["scene"]["props"][0];
-    assert_eq!((&prop["model"], &prop["position"]), (&"jet.glb".into(), &serde_json::json!([10.0, 0.0, -300.0])));
+    assert_eq!((&prop["model"], &prop["position"]), (&"jet.glb".into(), &serde_json::json!([10, 0, -300])));
     assert!(place.does("info stands.cloudscene").contains("props: jet (jet.glb)"));
     std::fs::remove_file(place.path("jet.glb")).expect("there");
     place.refuses("check stands.cloudscene", 1, &["props[0].model", "beside the scene file"]);

@@ -97,7 +97,8 @@ fn what_is_there_is_not_written_over() {
     std::fs::write(&beside, "mine").expect("written");
     window.answer(Reply::Path(folder.path().join("sky.cld")));
     window.press("Export…");
-    window.wait("an answer", |window| window.shows("Nothing was written") || window.shows("Written: "));
+    let refusal = format!("Nothing was written: {}", beside.display());
+    window.wait("an answer", |window| window.shows(&refusal) || window.shows("Written: "));
     assert_eq!(std::fs::read(&beside).expect("still there"), b"mine");
     window.press(if window.shows("Written: ") { "OK" } else { "Cancel" });
 }

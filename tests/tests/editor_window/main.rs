@@ -111,11 +111,12 @@ impl Window {
         self.harness.run_steps(2);
     }
 
-    /// A frame now and then until `done`.
+    /// A frame now and then until `done`. What has just come to show may still move what stands below it: a press waits
+    /// for that.
     fn wait(&mut self, what: &str, done: impl Fn(&Self) -> bool) {
         for _ in 0..12_000 {
             if done(self) {
-                return;
+                return self.harness.run_steps(2);
             }
             std::thread::sleep(Duration::from_millis(5));
             self.harness.step();
