@@ -4,7 +4,7 @@
 Run by hand in the project's root; PyPI has Mitsuba 3 ready:
 
     python3 -m venv venv && venv/bin/pip install mitsuba pillow
-    venv/bin/python tests/judges/mitsuba.py PROGRAM SCENE OUT_FOLDER [--spp 64] [--width 320] [--set voxel_m=12] …
+    venv/bin/python tests/judges/path_tracer.py PROGRAM SCENE OUT_FOLDER [--spp 64] [--width 320] [--set voxel_m=12] …
 
 It exports SCENE as Mitsuba volumes, has Mitsuba (scalar_rgb) render the scene that is written with them, as it is, and
 lets PROGRAM render the same camera. OUT_FOLDER/volume.png has ours on the left and Mitsuba's on the right. It prints how
