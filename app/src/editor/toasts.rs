@@ -72,8 +72,10 @@ impl Toasts {
                                 (icon::CHECK_CIRCLE, theme::good(ui))
                             };
                             ui.label(RichText::new(glyph).color(color).size(16.0));
-                            let text = egui::Label::new(&toast.text).wrap();
-                            ui.add_sized([theme::TOAST_WIDTH - 56.0, 0.0], text);
+                            ui.vertical(|ui| {
+                                ui.set_width(theme::TOAST_WIDTH - 56.0);
+                                ui.add(egui::Label::new(&toast.text).wrap());
+                            });
                             let close = ui.add(egui::Button::new(icon::X).frame(false));
                             ui.ctx().accesskit_node_builder(close.id, |node| node.set_label("Dismiss"));
                             if close.clicked() {

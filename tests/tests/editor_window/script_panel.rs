@@ -157,8 +157,13 @@ fn the_readmes_plugin_runs_word_for_word() {
     let (_, rest) = readme.split_once("```rhai\n").expect("it shows a plugin");
     let (plugin, _) = rest.split_once("```").expect("the plugin ends");
     let mut window = Window::with_script_panel();
-    let start = window.file();
+    let (start, clouds) = (window.file(), window.scene().clouds.len());
     window.choose_script("New plugin", "Generator");
+    window.node(Role::MultilineTextInput, "Script").focus();
+    window.settle();
+    window.keys(Modifiers::COMMAND, Key::Enter);
+    window.wait("the template's run", |window| window.undo_name().as_deref() == Some("New generator"));
+    window.command(Command::Undo);
     window.node(Role::MultilineTextInput, "Script").focus();
     window.settle();
     window.harness.key_press_modifiers(Modifiers::COMMAND, Key::A);
@@ -167,6 +172,7 @@ fn the_readmes_plugin_runs_word_for_word() {
     assert_eq!(window.script(), plugin);
     window.keys(Modifiers::COMMAND, Key::Enter);
     window.wait("the run", |window| window.undo_name().as_deref() == Some("Ring of clouds"));
+    assert_eq!(window.scene().clouds.len(), clouds + 12, "with its own values, not the template's");
     window.command(Command::Undo);
     assert_eq!((window.file(), window.undo_name()), (start, None));
 }

@@ -35,8 +35,8 @@ pub(super) struct Plugins {
     last: Option<LastRun>,
     /// Which one was run last.
     again: Option<Origin>,
-    /// What was chosen of each, until the window is closed.
-    chosen: BTreeMap<Origin, Values>,
+    /// What was chosen of each, by its name too, until the window is closed: what is written as a script may become another.
+    chosen: BTreeMap<(Origin, String), Values>,
 }
 
 /// A plugin at work on a scene.
@@ -137,7 +137,7 @@ impl Editor {
             }
         };
         self.plugins.last = None;
-        let chosen = self.plugins.chosen.get(origin);
+        let chosen = self.plugins.chosen.get(&(origin.clone(), plugin.description.name.clone()));
         Some(Run {
             values: chosen.map_or_else(|| plugin.values(), |chosen| plugins::carried_over(chosen, &plugin)),
             origin: origin.clone(),
@@ -179,7 +179,8 @@ impl Editor {
 
     /// Remembers what was chosen, and of which.
     fn remember_run(&mut self, run: &Run) {
-        self.plugins.chosen.insert(run.origin.clone(), run.values.clone());
+        let which = (run.origin.clone(), run.plugin.description.name.clone());
+        self.plugins.chosen.insert(which, run.values.clone());
         self.plugins.again = Some(run.origin.clone());
     }
 
