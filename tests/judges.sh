@@ -2,7 +2,7 @@
 # Has programs that no one here wrote judge what leaves: Khronos' validator, three.js in headless Chromium, Chromium itself
 # with a web page beside our own pictures, compared by the published ꟻLIP, and OpenUSD.
 # Needs Node 20 with npm, jq, and Python 3 with venv; without Chromium, three.js and the page are left out. The exports and
-# pictures stay in OUT_FOLDER. Blender reads the same exports by hand: tests/judges/blender.py says how.
+# pictures stay in OUT_FOLDER. Blender reads the same exports by hand: tests/judges/heavy.sh.
 # usage: tests/judges.sh PROGRAM OUT_FOLDER
 set -euo pipefail
 cd "$(dirname "$0")/.."

@@ -1,7 +1,6 @@
 //! What aircraft and props look like.
 
-use crate::state::Item;
-use crate::state::{Action, Reading};
+use crate::state::{Action, Item, Reading};
 use crate::widget::name_it;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::scene::{Aircraft, AircraftId, PropId};

@@ -12,7 +12,7 @@
 //! Axes and metres are ours.
 //!
 //! The scene file's text stands in the scene's `extras`, from which it comes back, bit for bit. What an
-//! editor of glTF changed is not read. A file without it is a model of what flies (`reading.rs`).
+//! editor of glTF changed is not read. A file without it is a model of what stands or flies (`reading.rs`).
 
 mod animation;
 mod container;

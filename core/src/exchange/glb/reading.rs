@@ -1,7 +1,6 @@
-//! A binary glTF file that comes in: the scene that it was made from, or else the shape of an aircraft.
+//! A binary glTF file that comes in: the scene that it was made from, or else the shape of a prop or an aircraft.
 
-use super::EXTRAS;
-use super::FLIES;
+use super::{EXTRAS, FLIES};
 use crate::exchange::{Arrived, ArrivedModel, Arriving, Content, Note};
 use crate::formats::{Misread, model_glb, scene_file};
 use serde::Deserialize;
