@@ -1,7 +1,7 @@
 //! Which commands' keys were pressed.
 
-use super::{Command, Row, TABLE};
-use egui::{Context, Id, Response};
+use super::{Command, Row, keymap};
+use egui::{Context, Id, KeyboardShortcut, Response};
 
 /// The commands whose keys were pressed. Keys with more modifiers are looked at first, so that undo does not take redo's.
 ///
@@ -10,15 +10,15 @@ pub(crate) fn pressed(context: &Context) -> Vec<Command> {
     let typing = context.text_edit_focused();
     let focused = context.memory(|memory| memory.focused());
     let delete_is_taken = focused.is_some() && focused == context.data(|data| data.get_temp(owner_of_delete()));
-    let mut rows: Vec<&Row> = TABLE.iter().filter(|row| row.shortcut.is_some()).collect();
-    rows.sort_by_key(|row| row.shortcut.is_some_and(|shortcut| !shortcut.modifiers.shift && !shortcut.modifiers.alt));
+    let mut all: Vec<(KeyboardShortcut, &Row)> = keymap::of(context).all().collect();
+    all.sort_by_key(|(keys, _)| !keys.modifiers.shift && !keys.modifiers.alt);
     let in_timeline = timeline_has_keys(context);
     context.input_mut(|input| {
-        let hit = |row: &&Row| {
-            let leave = (typing && belongs_to_text(row)) || (delete_is_taken && row.command == Command::Delete);
-            !leave && row.shortcut.is_some_and(|shortcut| input.consume_shortcut(&shortcut))
+        let hit = |(keys, row): &(KeyboardShortcut, &Row)| {
+            let leave = (typing && belongs_to_text(*keys, row)) || (delete_is_taken && row.command == Command::Delete);
+            !leave && input.consume_shortcut(keys)
         };
-        let commands = rows.into_iter().filter(hit).map(|row| row.command);
+        let commands = all.into_iter().filter(hit).map(|(_, row)| row.command);
         commands.map(|command| if in_timeline { command.in_timeline() } else { command }).collect()
     })
 }
@@ -49,8 +49,8 @@ fn owner_of_delete() -> Id {
     Id::unique("owner of the Delete key")
 }
 
-fn belongs_to_text(row: &Row) -> bool {
-    let plain = row.shortcut.is_some_and(|shortcut| !shortcut.modifiers.command);
+fn belongs_to_text(keys: KeyboardShortcut, row: &Row) -> bool {
+    let plain = !keys.modifiers.command;
     let edits = matches!(row.command, Command::Undo | Command::Redo | Command::Duplicate | Command::SelectAll);
     // To the beginning and the end of the text.
     let moves = matches!(row.command, Command::MarkIn | Command::MarkOut);

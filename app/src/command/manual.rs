@@ -1,6 +1,6 @@
 //! README's manual of shortcuts, from the table.
 
-use super::{Menu, TABLE};
+use super::{Keymap, Menu, Row, TABLE};
 use egui::{KeyboardShortcut, ModifierNames};
 
 /// Between these lines of README.md stands the manual.
@@ -8,12 +8,16 @@ pub const MARKS: [&str; 2] = ["<!-- shortcuts: from the command table -->", "<!-
 
 /// The commands that have keys, a Markdown table.
 pub fn shortcuts() -> String {
-    let mut text = String::from("| menu | command | keys | what it does |\n|---|---|---|---|\n");
-    for menu in Menu::ALL {
-        let rows = TABLE.iter().filter(|row| row.menu == menu);
-        for (row, keys) in rows.filter_map(|row| Some((row, row.shortcut.as_ref()?))) {
-            text += &format!("| {} | {} | {} | {} |\n", menu.name(), row.label(), in_words(keys), row.help);
+    let mut text =
+        String::from("| menu | command | keys | in Blender's keymap | what it does |\n|---|---|---|---|---|\n");
+    let shown = |keymap: Keymap, row: &Row| keymap.shown(row.command).map_or_else(String::new, |keys| in_words(&keys));
+    for row in Menu::ALL.iter().flat_map(|menu| TABLE.iter().filter(|row| row.menu == *menu)) {
+        let [own, blender] = [Keymap::Own, Keymap::Blender].map(|keymap| shown(keymap, row));
+        if own.is_empty() && blender.is_empty() {
+            continue;
         }
+        let other = if own == blender { "" } else { blender.as_str() };
+        text += &format!("| {} | {} | {own} | {other} | {} |\n", row.menu.name(), row.label(), row.help);
     }
     text
 }

@@ -3,9 +3,11 @@
 //! Menus, toolbar, palette, tooltips and README's manual read it. A new command is a row here and an arm in
 //! editor/perform.
 
+pub(crate) mod keymap;
 mod keys;
 pub mod manual;
 
+pub use keymap::Keymap;
 pub(crate) use keys::{delete_belongs_to, give_keys_to_timeline, pressed};
 
 use crate::theme::icon;
@@ -77,7 +79,7 @@ pub struct Row {
     pub name: &'static str,
     /// One sentence for the tooltip.
     pub help: &'static str,
-    /// Keys; none for a rare one.
+    /// Its own keys, which a [`Keymap`] may change; none for a rare one.
     pub shortcut: Option<KeyboardShortcut>,
     /// A glyph of the icon font.
     pub icon: Option<&'static str>,
@@ -190,6 +192,7 @@ commands! {
         GroupView: "Group view", "Show boxes and sprites in the tints of their shading groups.", key(Key::G), Some(icon::PAINT_BUCKET);
         SwitchTheme: "Dark or light", "Switch between the dark and the light look.", NONE, Some(icon::CIRCLE_HALF_TILT);
         SwitchUnits: "Metric or aviation units", "Show altitudes and speeds in metres and km/h, or in feet and knots.", NONE, None;
+        SwitchKeymap: "Blender's keys", "Use Blender's keys where it has the command, such as G, R and S, or the editor's own.", NONE, None;
         Palette: "Command palette…", "Find any command by typing.", ctrl_shift(Key::P), Some(icon::MAGNIFYING_GLASS);
     }
     Tool {
@@ -197,6 +200,9 @@ commands! {
         MoveTool: "Move", "Arrows to move the selection by.", key(Key::W), Some(icon::ARROWS_OUT_CARDINAL);
         RotateTool: "Rotate", "Rings to turn the selection by.", key(Key::E), Some(icon::ARROWS_CLOCKWISE);
         ScaleTool: "Scale", "Handles to stretch the selection by.", key(Key::R), Some(icon::RESIZE);
+        GrabPlace: "Move by pointer", "The selection follows the pointer until a click: X, Y, Z and figures say where to, Esc drops it.", NONE, None;
+        GrabTurn: "Rotate by pointer", "The selection turns with the pointer until a click: X, Y, Z and figures say how far, Esc drops it.", NONE, None;
+        GrabSize: "Scale by pointer", "The selection grows with the pointer until a click: X, Y, Z and figures say how much, Esc drops it.", NONE, None;
         BoxTool: "Box tool", "Drag a footprint at the base altitude, then pull the height.", key(Key::B), Some(icon::BOUNDING_BOX);
         Snap: "Snap", "Snap gestures to steps; Ctrl does the opposite while it is held.", shift(Key::S), Some(icon::MAGNET);
         PlayTime: "Play time", "Let the time of day run in the view, or stop it; the scene's hour stays.", key(Key::P), Some(icon::PLAY);
@@ -292,10 +298,15 @@ impl Command {
 impl Row {
     /// Help and keys, for tooltips.
     pub fn tooltip(&self, context: &egui::Context) -> String {
-        match &self.shortcut {
-            Some(shortcut) => format!("{} ({})", self.help, context.format_shortcut(shortcut)),
+        match self.shortcut_text(context) {
+            Some(keys) => format!("{} ({keys})", self.help),
             None => self.help.into(),
         }
+    }
+
+    /// The keys that it has in the keymap in use, in words.
+    pub fn shortcut_text(&self, context: &egui::Context) -> Option<String> {
+        keymap::of(context).shown(self.command).map(|keys| context.format_shortcut(&keys))
     }
 
     /// The name without the dots of what asks first.

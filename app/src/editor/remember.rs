@@ -3,6 +3,7 @@
 use super::Editor;
 use super::done::Done;
 use super::layout::Layout;
+use crate::command::keymap;
 use crate::storage::{self, ThemeChoice};
 use egui::ThemePreference;
 
@@ -17,6 +18,7 @@ impl Editor {
             ThemeChoice::Dark => ThemePreference::Dark,
             ThemeChoice::Light => ThemePreference::Light,
         });
+        keymap::choose(context, self.disk.settings().keymap);
     }
 
     /// Whoever changed it, it is noticed here.
@@ -49,6 +51,13 @@ impl Editor {
     pub(super) fn switch_units(&mut self) {
         let units = self.disk.settings().units.other();
         self.disk.remember(move |settings| settings.units = units);
+    }
+
+    /// From the editor's own keys to Blender's and back.
+    pub(super) fn switch_keymap(&mut self, context: &egui::Context) {
+        let keymap = self.disk.settings().keymap.other();
+        self.disk.remember(move |settings| settings.keymap = keymap);
+        keymap::choose(context, keymap);
     }
 
     /// Shows the last scenes, when it is known which are still there.

@@ -45,8 +45,8 @@ pub(crate) fn menu_bar(
                 let script = (menu == Menu::Plugins).then(|| Command::ScriptPanel.row());
                 for row in TABLE.iter().filter(|row| row.menu == menu).chain(script) {
                     let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
-                    if let Some(shortcut) = &row.shortcut {
-                        button = button.shortcut_text(ui.ctx().format_shortcut(shortcut));
+                    if let Some(keys) = row.shortcut_text(ui.ctx()) {
+                        button = button.shortcut_text(keys);
                     }
                     offer(ui, row, button, row.name, state, actions);
                 }

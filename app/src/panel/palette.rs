@@ -9,7 +9,7 @@ use crate::theme;
 use crate::visible;
 use crate::widget::name_it;
 use cloudwright_scripts::PluginKind;
-use egui::{Button, Context, Id, Key, KeyboardShortcut, Modal, Modifiers, ScrollArea, TextEdit};
+use egui::{Button, Context, Id, Key, Modal, Modifiers, ScrollArea, TextEdit};
 
 /// What is typed and which line is chosen, while the palette is open.
 #[derive(Debug, Default)]
@@ -24,7 +24,6 @@ struct Line<'a> {
     help: &'a str,
     menu: &'static str,
     icon: Option<&'static str>,
-    shortcut: Option<KeyboardShortcut>,
     does: Does<'a>,
 }
 
@@ -66,13 +65,13 @@ impl Palette {
                 for (line, row) in found.iter().enumerate() {
                     let mut button =
                         Button::selectable(line == self.line, (row.icon.unwrap_or(" "), row.name.as_str()));
-                    if let Some(shortcut) = &row.shortcut {
-                        button = button.shortcut_text(ui.ctx().format_shortcut(shortcut));
-                    }
-                    let enabled = match row.does {
-                        Does::Command(command) => state(command).enabled,
-                        Does::Plugin(_) => true,
+                    let (enabled, keys) = match row.does {
+                        Does::Command(command) => (state(command).enabled, command.row().shortcut_text(ui.ctx())),
+                        Does::Plugin(_) => (true, None),
                     };
+                    if let Some(keys) = keys {
+                        button = button.shortcut_text(keys);
+                    }
                     let response = ui.add_enabled(enabled, button.min_size([ui.available_width(), 0.0].into()));
                     name_it(ui, &response, &format!("{}: {}", row.menu, row.name));
                     if line == self.line && (down || up) {
@@ -101,7 +100,6 @@ fn lines(library: &Library) -> impl Iterator<Item = Line<'_>> {
         help: row.help,
         menu: row.menu.name(),
         icon: row.icon,
-        shortcut: row.shortcut,
         does: Does::Command(row.command),
     });
     let plugins = PluginKind::ALL.iter().flat_map(|kind| {
@@ -110,7 +108,6 @@ fn lines(library: &Library) -> impl Iterator<Item = Line<'_>> {
             help: &plugin.description.sentence,
             menu: kind_name(*kind),
             icon: None,
-            shortcut: None,
             does: Does::Plugin(&entry.origin),
         })
     });

@@ -4,6 +4,7 @@
 //! editors may run at once, so a change is made to what is on disk at that moment, not to what was read at the start.
 
 use super::{Folders, StorageError, read, write_atomic};
+use crate::command::Keymap;
 use crate::units::Units;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
@@ -26,6 +27,8 @@ pub struct Settings {
     pub theme: ThemeChoice,
     /// What altitudes and speeds are shown in.
     pub units: Units,
+    /// Whose keys are used.
+    pub keymap: Keymap,
     /// How panels are docked, as the window's layout itself says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub layout: Option<Value>,
@@ -54,6 +57,7 @@ impl Default for Settings {
             recent: Vec::new(),
             theme: ThemeChoice::default(),
             units: Units::default(),
+            keymap: Keymap::default(),
             layout: None,
             window_size: None,
         }

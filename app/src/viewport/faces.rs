@@ -2,6 +2,8 @@
 //!
 //! They are widgets, so they take the pointer before the viewport does, and arrow keys move a focused one by a step.
 
+use super::grip;
+use super::overlay;
 use super::places::Places;
 use super::screen::Screen;
 use crate::state::{Action, Item, Reading, Tool, box_of};
@@ -11,14 +13,14 @@ use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::BOX_SIZE;
 use cloudwright_core::scene::{CloudBox, ModelId};
-use egui::{CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect, Response, Sense, StrokeKind, Ui, Vec2};
+use egui::{
+    CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect, Response, Sense, StrokeKind, Ui, Vec2, vec2,
+};
 use glam::DVec3;
 
 const NAME: &str = "Move face";
 /// On the screen; the handles of a smaller box would lie on one another. Points.
 const LEAST_BOX: f32 = 36.0;
-/// What takes the pointer, points.
-const GRIP: f32 = 14.0;
 /// So flat is a box at least that was dragged flat, metres.
 const LEAST_SIDE_M: f64 = 1.0;
 
@@ -97,9 +99,10 @@ impl Faces {
         if around.size().max_elem() < LEAST_BOX && self.held.is_none() {
             return None;
         }
-        for (face, at) in centers.into_iter().filter(|(_, at)| screen.rect.contains(*at)) {
+        let grips = grip::grips(&centers.iter().map(|(_, at)| *at).collect::<Vec<_>>());
+        for ((face, at), grip) in centers.into_iter().zip(grips).filter(|((_, at), _)| screen.rect.contains(*at)) {
             let id = Id::unique(("box face", face.axis, face.side < 0.0));
-            let response = ui.interact(Rect::from_center_size(at, Vec2::splat(GRIP)), id, Sense::click_and_drag());
+            let response = ui.interact(grip, id, Sense::click_and_drag());
             name_it(ui, &response, &face.name());
             if response.drag_started_by(egui::PointerButton::Primary) {
                 let from = ui.input(|input| input.pointer.press_origin()).unwrap_or(at);
@@ -108,7 +111,11 @@ impl Faces {
             if response.dragged()
                 && let (Some(held), Some(to)) = (&self.held, response.interact_pointer_pos())
             {
-                actions.extend(held.drag(to, snap_m(ui, reading), screen));
+                if let Some(new) = held.dragged(to, snap_m(ui, reading), screen) {
+                    let side_m = new.size[face.axis] * space.scale;
+                    overlay::label(painter, to + vec2(16.0, 16.0), &format!("{side_m:.1} m"));
+                    actions.push(Action::change(NAME, Edit::Box(held.model, ListEdit::Replace(new)), true));
+                }
             }
             if response.clicked() {
                 clicked = response.interact_pointer_pos();
@@ -121,16 +128,16 @@ impl Faces {
 }
 
 impl Held {
-    fn drag(&self, to: Pos2, snap_m: Option<f64>, screen: &Screen) -> Option<Action> {
-        let Self { face, start, model, space, from } = self;
+    /// The box with its face where the hand is.
+    fn dragged(&self, to: Pos2, snap_m: Option<f64>, screen: &Screen) -> Option<CloudBox> {
+        let Self { face, start, space, from, .. } = self;
         let normal = space.turn * start.orientation * face.normal();
         let center = face.center_in_world(space, start);
         let pulled_m = screen.along(to, center, normal)? - screen.along(*from, center, normal)?;
         let old_m = start.size[face.axis] * space.scale;
         let side_m = snap_m.map_or(old_m + pulled_m, |step| ((old_m + pulled_m) / step).round() * step);
         let least_m = snap_m.unwrap_or(LEAST_SIDE_M);
-        let new = face.moved(start, (side_m - old_m) / space.scale, least_m / space.scale);
-        Some(Action::change(NAME, Edit::Box(*model, ListEdit::Replace(new)), true))
+        Some(face.moved(start, (side_m - old_m) / space.scale, least_m / space.scale))
     }
 }
 

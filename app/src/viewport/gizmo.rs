@@ -3,14 +3,20 @@
 //! It is handed camera-relative f64 matrices, so that it works as well 1,000 km from the origin, and gives back what
 //! the hand has done since the button went down; [`Targets`] makes edits of that. It brings its own emath and glam:
 //! numbers cross as arrays.
+//!
+//! The crate takes what is met within a few points across a ring's plane, which is less than one where the ring is seen
+//! from its edge. So it is handed the nearest point of what is drawn in the pointer's stead, if that is within reach.
 
+use super::drag::Drag;
+use super::grip::{self, BESIDE, REACH};
+use super::overlay;
 use super::screen::Screen;
 use super::targets::{Act, Targets};
-use crate::state::{Action, Reading, TimelineChange, Tool};
+use crate::state::{Action, Reading, Tool};
 use crate::theme;
 use cloudwright_core::camera::NEAR_M;
 use egui::epaint::{Vertex, WHITE_UV};
-use egui::{Key, Mesh, Painter, Response, Rgba, Shape, Ui, pos2};
+use egui::{Key, Mesh, Painter, Pos2, Response, Rgba, Shape, Ui, Vec2, pos2, vec2};
 use glam::{DQuat, DVec3};
 use transform_gizmo::config::TransformPivotPoint;
 use transform_gizmo::math::{Pos2 as GizmoPos, Transform};
@@ -25,11 +31,23 @@ pub(super) struct GizmoHands {
     held: Option<Held>,
 }
 
-/// A drag from its beginning.
+/// A drag of one of its parts.
 struct Held {
     tool: Tool,
-    targets: Targets,
-    changed: bool,
+    drag: Drag,
+    /// From the pointer to the point of the part that it took.
+    aside: Vec2,
+}
+
+/// How the pointer stands to the gizmo.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Touch {
+    /// It is elsewhere.
+    None,
+    /// It just misses it: a press there means nothing else.
+    Beside,
+    /// It has a part of it, or would with a press.
+    On,
 }
 
 impl GizmoHands {
@@ -38,7 +56,7 @@ impl GizmoHands {
         self.held.is_some()
     }
 
-    /// Draws it where there is something to work on, and asks for what the hand does. Whether it has the pointer.
+    /// Draws it where there is something to work on, and asks for what the hand does.
     pub(super) fn show(
         &mut self,
         ui: &Ui,
@@ -47,13 +65,14 @@ impl GizmoHands {
         screen: &Screen,
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
-    ) -> bool {
+    ) -> Touch {
         let (at, pressed, down, dropped, modifiers) = ui.input(|input| {
             let pointer = &input.pointer;
             let dropped = input.key_pressed(Key::Escape);
             (pointer.latest_pos(), pointer.primary_pressed(), pointer.primary_down(), dropped, input.modifiers)
         });
         let was_held = self.held.is_some();
+        let untouched = if was_held { Touch::On } else { Touch::None };
         if !down || dropped {
             self.held = None;
         }
@@ -62,8 +81,10 @@ impl GizmoHands {
             Some(_) => None,
             None => Targets::of(tool, reading).filter(|targets| is_before(screen, targets)),
         };
-        let Some(targets) = self.held.as_ref().map(|held| &held.targets).or(idle.as_ref()) else { return was_held };
-        let Some(modes) = modes(tool, targets) else { return was_held };
+        let Some(targets) = self.held.as_ref().map(|held| &held.drag.targets).or(idle.as_ref()) else {
+            return untouched;
+        };
+        let Some(modes) = modes(tool, targets) else { return untouched };
         let snap = reading.view.snap;
         let snaps = snap.on != modifiers.command;
         let snap_angle = snaps.then_some(snap.angle_deg.to_radians()).filter(|step| *step > 0.0);
@@ -84,50 +105,58 @@ impl GizmoHands {
             mint::Quaternion::from(turn.to_array()),
             (targets.pivot - screen.view.eye).to_array(),
         );
+        let over = response.contains_pointer();
+        let (aside, beside) = match &self.held {
+            Some(held) => (held.aside, true),
+            None => at.filter(|_| over).map_or((Vec2::ZERO, false), |at| self.reach(at, &transform)),
+        };
         let interaction = GizmoInteraction {
-            cursor_pos: at.map_or((f32::MIN, f32::MIN), |at| (at.x, at.y)),
-            hovered: response.contains_pointer() || self.held.is_some(),
-            drag_started: pressed && response.contains_pointer() && !modifiers.alt && !dropped,
+            cursor_pos: at.map_or((f32::MIN, f32::MIN), |at| (at.x + aside.x, at.y + aside.y)),
+            hovered: over || self.held.is_some(),
+            drag_started: pressed && over && !modifiers.alt && !dropped,
             dragging: down && !dropped,
         };
         let result = self.gizmo.update(interaction, &[transform]);
         if let Some((result, _)) = result {
             if let (None, Some(targets)) = (&self.held, idle) {
-                self.held = Some(Held { tool, targets, changed: false });
+                self.held = Some(Held { tool, drag: Drag::new(targets), aside });
             }
             if let Some(held) = &mut self.held {
-                held.follow(act(result, turn, snap_angle), reading, actions);
+                held.drag.follow(act(result, turn, snap_angle), reading, actions);
             }
         }
         painter.add(Shape::mesh(mesh(&self.gizmo)));
+        if let Some((text, at)) = self.held.as_ref().and_then(|held| held.drag.readout()).zip(at) {
+            overlay::label(painter, at + vec2(16.0, 16.0), &text);
+        }
         let has_pointer = self.gizmo.is_focused() || self.held.is_some();
         if has_pointer {
             ui.ctx().set_cursor_icon(egui::CursorIcon::PointingHand);
         }
-        has_pointer || was_held
-    }
-}
-
-impl Held {
-    fn follow(&mut self, act: Act, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-        let nothing = match act {
-            Act::Move(by) => by == DVec3::ZERO,
-            Act::Turn(_, angle) => angle == 0.0,
-            Act::Stretch(by) => by == DVec3::ONE,
-        };
-        if nothing && !self.changed {
-            return;
+        match (has_pointer || was_held, beside) {
+            (true, _) => Touch::On,
+            (false, true) => Touch::Beside,
+            (false, false) => Touch::None,
         }
-        self.changed = true;
-        let name = match act {
-            Act::Move(_) => "Move",
-            Act::Turn(..) => "Rotate",
-            Act::Stretch(_) => "Scale",
-        };
-        let mut edits = self.targets.edits(act, reading.session.scene());
-        let keyed = super::keyed_clouds::edits(&self.targets, act, reading, &mut edits);
-        actions.extend(keyed.map(|targets| Action::Timeline(TimelineChange::Unkeyed(targets))));
-        actions.push(Action::Change { name, edits, live: true });
+    }
+
+    /// The way from the pointer to where a press takes a part of the gizmo, if it is within reach; and whether the pointer is
+    /// at least beside it.
+    fn reach(&mut self, at: Pos2, transform: &Transform) -> (Vec2, bool) {
+        let nowhere =
+            GizmoInteraction { cursor_pos: (f32::MIN, f32::MIN), hovered: false, drag_started: false, dragging: false };
+        // Lays the parts out for this frame.
+        self.gizmo.update(nowhere, &[*transform]);
+        let Some(rim) = grip::nearest_of(&mesh(&self.gizmo), at) else { return (Vec2::ZERO, false) };
+        let way = rim - at;
+        if way.length() > BESIDE {
+            return (Vec2::ZERO, false);
+        }
+        // From the rim of what is drawn on to its middle, which is what the crate measures from.
+        let steps = (0..=4_u8).map(|step| way + way.normalized() * (f32::from(step) * theme::GIZMO_WIDTH * 0.25));
+        let hot = |way: &Vec2| self.gizmo.pick_preview((at.x + way.x, at.y + way.y));
+        let within = (way.length() <= REACH).then_some(steps).into_iter().flatten();
+        (within.into_iter().find(hot).unwrap_or(Vec2::ZERO), true)
     }
 }
 

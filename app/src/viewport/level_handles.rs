@@ -4,6 +4,7 @@
 //! It shows while the panel of colour levels does. A cloud that the view looks down on, or that is too small to take a
 //! handle of, has none.
 
+use super::grip;
 use super::places::Places;
 use crate::state::{Action, Reading, color_levels};
 use crate::theme;
@@ -12,7 +13,7 @@ use cloudwright_core::camera::View;
 use cloudwright_core::color::Rgba;
 use cloudwright_core::property::LEVEL_HEIGHT;
 use cloudwright_core::sprites::PlacedCloud;
-use egui::{CursorIcon, Pos2, Rect, Stroke, Ui, Vec2, pos2, vec2};
+use egui::{CursorIcon, Pos2, Rect, Stroke, Ui, pos2, vec2};
 use glam::Vec3;
 
 /// Between the cloud and its scale, and between the scale and the viewport's rim, points.
@@ -46,17 +47,21 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
     let mut live = false;
     let mut chosen = chosen_level(ui.ctx());
     let mut beside = 0.0;
-    for (index, level) in shown.iter().enumerate() {
+    let middles = shown.iter().enumerate().map(|(index, level)| {
         let at = scale.at(level.height);
         let near = index > 0 && scale.at(shown[index - 1].height).distance(at) < 2.0 * RADIUS;
         beside = if near { beside + 2.0 * RADIUS + 1.0 } else { 0.0 };
-        let middle = at + vec2(beside, 0.0);
+        at + vec2(beside, 0.0)
+    });
+    let middles: Vec<Pos2> = middles.collect();
+    for ((index, level), grip) in shown.iter().enumerate().zip(grip::grips(&middles)) {
+        let middle = middles[index];
         if !rect.contains(middle) {
             continue;
         }
         let handled = Handle {
             id: ui.scope_id().with(("level on the cloud", index)),
-            rect: Rect::from_center_size(middle, Vec2::splat(2.0 * RADIUS + 4.0)),
+            rect: grip,
             name: &format!("Level {} on the cloud", index + 1),
             number: &LEVEL_HEIGHT,
             value: level.height,

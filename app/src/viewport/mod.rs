@@ -8,10 +8,13 @@ mod bounds;
 mod box_tool;
 mod cameras;
 mod canvas;
+mod drag;
 mod faces;
 mod fly;
 mod fly_control;
 mod gizmo;
+mod grab;
+mod grip;
 mod hud;
 mod keyed_clouds;
 mod lens;
@@ -33,6 +36,8 @@ mod steer;
 mod targets;
 mod wireframe;
 
+pub(crate) use grab::Grabbed;
+
 use crate::renderer::RendererChoice;
 use crate::state::{Action, Choose, Item, Reading, Selection, Session, Tool, ViewChange};
 use box_tool::BoxTool;
@@ -44,8 +49,9 @@ use eframe::egui_wgpu::RenderState;
 use egui::{CursorIcon, Painter, Response, Sense, Ui, Vec2};
 use faces::Faces;
 use fly_control::FlyControl;
-use gizmo::GizmoHands;
+use gizmo::{GizmoHands, Touch};
 use glam::DVec3;
+use grab::Grab;
 use hud::Readout;
 use marks::Marks;
 use marquee::Marquee;
@@ -71,6 +77,7 @@ pub(crate) struct Viewport {
     clicks: Clicks,
     marquee: Marquee,
     gizmo: GizmoHands,
+    grab: Grab,
     faces: Faces,
     box_tool: BoxTool,
     /// Width by height.
@@ -95,6 +102,7 @@ impl Viewport {
             clicks: Clicks::default(),
             marquee: Marquee::default(),
             gizmo: GizmoHands::default(),
+            grab: Grab::default(),
             faces: Faces::default(),
             box_tool: BoxTool::default(),
             aspect: 16.0 / 9.0,
@@ -204,12 +212,17 @@ impl Viewport {
 
     /// Whether a tool goes on with its gesture though no button is down.
     pub(crate) fn holds_gesture(&self) -> bool {
-        self.box_tool.holds_gesture()
+        self.box_tool.holds_gesture() || self.grab.holds_gesture()
     }
 
-    /// Whether keys steer a flight and are no commands.
+    /// Whether keys steer a flight or a grab, and are no commands.
     pub(crate) fn has_keys(&self) -> bool {
-        self.fly_control.has_keys()
+        self.fly_control.has_keys() || self.grab.is_on()
+    }
+
+    /// The selection follows the pointer from now on.
+    pub(crate) fn grab(&mut self, grabbed: Grabbed) {
+        self.grab.want(grabbed);
     }
 
     pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -218,7 +231,7 @@ impl Viewport {
         if response.clicked() || response.drag_started() {
             response.request_focus();
         }
-        let is_free = !self.gizmo.is_held() && !self.marquee.is_on();
+        let is_free = !self.gizmo.is_held() && !self.marquee.is_on() && !self.grab.is_on();
         let may_fly = is_free && !self.holds_gesture();
         let path_view = self.take_path_view(reading);
         self.fly_control.fly(&mut self.navigation, ui, &response, may_fly);
@@ -242,6 +255,8 @@ impl Viewport {
             overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.fly_control.speed_m_s()));
         } else if path_view.is_some() {
             overlay::on_board_hint(&painter, rect);
+        } else if self.grab.is_on() {
+            overlay::grab_hint(&painter, rect);
         } else {
             overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
         }
@@ -308,6 +323,9 @@ impl Viewport {
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
     ) {
+        if self.grab.show(ui, response, painter, screen, reading, actions) {
+            return;
+        }
         if reading.view.tool == Tool::Box {
             let looked_at = self.looked_at();
             if response.hovered() {
@@ -318,11 +336,11 @@ impl Viewport {
         }
         self.box_tool.leave();
         let on_face = self.faces.show(ui, painter, screen, reading, actions);
-        let gizmo_has_pointer = self.gizmo.show(ui, response, painter, screen, reading, actions);
+        let touch = self.gizmo.show(ui, response, painter, screen, reading, actions);
         let (modifiers, pressed) = ui.input(|input| (input.modifiers, input.pointer.primary_pressed()));
         if pressed
             && response.contains_pointer()
-            && !gizmo_has_pointer
+            && touch == Touch::None
             && !modifiers.alt
             && let Some(at) = response.interact_pointer_pos().or(response.hover_pos())
         {
@@ -336,7 +354,7 @@ impl Viewport {
         }
         let clicked = response.clicked().then(|| response.interact_pointer_pos()).flatten();
         if let Some(at) = clicked.or(on_face)
-            && !gizmo_has_pointer
+            && touch == Touch::None
             && !modifiers.alt
         {
             self.click(at, marquee::how(modifiers, Choose::Toggle), screen, reading, actions);

@@ -111,6 +111,15 @@ pub(super) fn hint(painter: &Painter, rect: Rect, tool: Tool, drawing: bool) {
     at_the_foot(painter, rect, &text);
 }
 
+/// What pointer and keys do while the selection follows the pointer.
+pub(super) fn grab_hint(painter: &Painter, rect: Rect) {
+    at_the_foot(
+        painter,
+        rect,
+        "X Y Z: along an axis   with Shift: across it   figures: by so much   Ctrl: snap   click or Enter: done   Esc: drop",
+    );
+}
+
 /// What pointer and keys do while one flies.
 pub(super) fn flying_hint(painter: &Painter, rect: Rect, speed: &str) {
     let text = format!("W S A D: fly   E Q: up, down   wheel: {speed}   Shift: fast   Ctrl: slow   Esc: stop");

@@ -4,6 +4,7 @@
 //! are shown; never the one that the view goes along, which would be all around the eye. Ways are measured out once a
 //! change.
 
+use super::grip;
 use super::screen::Screen;
 use crate::state::{Item, Reading};
 use crate::theme;
@@ -17,8 +18,6 @@ use glam::{DVec3, Vec3};
 const PIECES: usize = 16;
 /// Of a path, at most: a recorded one has many legs.
 const MOST_PIECES: usize = 4096;
-/// How near to a key a click means it, points.
-const KEY_REACH: f32 = 9.0;
 /// How near to a way, points.
 const WAY_REACH: f32 = 5.0;
 /// Of a key, points.
@@ -68,13 +67,13 @@ impl Paths {
         });
         let ways = self.ways.iter().flat_map(|way| {
             let lines = way.places.windows(2).filter_map(|pair| seen(screen, pair[0], pair[1]));
-            lines.map(|ends| (distance(at, ends), way.path.id, None))
+            lines.map(|[a, b]| (grip::nearest_of_line(at, a, b).distance(at), way.path.id, None))
         });
         let nearest = |near: &mut dyn Iterator<Item = (f32, PathId, Option<usize>)>, reach: f32| {
             near.filter(|(distance, ..)| *distance <= reach).min_by(|a, b| a.0.total_cmp(&b.0))
         };
         let (mut keys, mut ways) = (keys, ways);
-        let found = nearest(&mut keys, KEY_REACH).or_else(|| nearest(&mut ways, WAY_REACH))?;
+        let found = nearest(&mut keys, grip::REACH).or_else(|| nearest(&mut ways, WAY_REACH))?;
         Some((found.1, found.2))
     }
 
@@ -173,12 +172,4 @@ fn line(painter: &Painter, screen: &Screen, a: DVec3, b: DVec3, stroke: Stroke) 
 
 fn seen(screen: &Screen, a: DVec3, b: DVec3) -> Option<[Pos2; 2]> {
     screen.line(screen.relative(a), screen.relative(b))
-}
-
-/// From a point to a line's nearest point.
-fn distance(at: Pos2, [a, b]: [Pos2; 2]) -> f32 {
-    let along = b - a;
-    let share = (at - a).dot(along) / along.length_sq();
-    let share = if share.is_finite() { share.clamp(0.0, 1.0) } else { 0.0 };
-    at.distance(a + along * share)
 }

@@ -15,6 +15,7 @@ mod exchange;
 mod files;
 mod flight_panel;
 mod flying;
+mod grabbing;
 mod groups;
 mod many_tracks;
 mod off_frame;

@@ -11,9 +11,10 @@ mod view;
 use super::dialogs::Dialog;
 use super::intent::Intent;
 use super::{Ask, Editor};
-use crate::command::Command;
+use crate::command::{Command, Keymap};
 use crate::panel::Panel;
 use crate::state::{Action, Item, Selection, SpriteMarks, TimeSnap, Tool};
+use crate::viewport::Grabbed;
 use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
 
@@ -119,6 +120,7 @@ impl Editor {
             }
             Command::Delete | Command::Hide | Command::Lock => !selection.is_empty(),
             Command::SelectNone | Command::FrameSelection => !selection.is_empty(),
+            Command::GrabPlace | Command::GrabTurn | Command::GrabSize => !selection.is_empty(),
             Command::FrameAll => !self.session.derived().clouds().is_empty(),
             Command::LookThrough | Command::AlignCamera => !scene.cameras.is_empty(),
             Command::KeyAfterLast | Command::KeyAtClock | Command::AddAircraft => self.clock.path(scene).is_some(),
@@ -151,6 +153,7 @@ impl Editor {
             Command::RotateTool => view.tool == Tool::Rotate,
             Command::ScaleTool => view.tool == Tool::Scale,
             Command::BoxTool => view.tool == Tool::Box,
+            Command::SwitchKeymap => self.disk.settings().keymap == Keymap::Blender,
             Command::Snap => view.snap.on,
             Command::ShowBoxes => view.show_all_boxes,
             Command::SpriteMarks => view.sprite_marks != SpriteMarks::Off,
@@ -228,11 +231,15 @@ impl Editor {
             Command::GroupView => self.view.group_view ^= true,
             Command::SwitchTheme => crate::theme::switch(context),
             Command::SwitchUnits => self.switch_units(),
+            Command::SwitchKeymap => self.switch_keymap(context),
             Command::Palette => self.palette = Some(Default::default()),
             Command::SelectTool => self.view.tool = Tool::Select,
             Command::MoveTool => self.view.tool = Tool::Move,
             Command::RotateTool => self.view.tool = Tool::Rotate,
             Command::ScaleTool => self.view.tool = Tool::Scale,
+            Command::GrabPlace => self.grab(Grabbed::Place),
+            Command::GrabTurn => self.grab(Grabbed::Turn),
+            Command::GrabSize => self.grab(Grabbed::Size),
             Command::BoxTool => self.view.tool = Tool::Box,
             Command::Snap => self.view.snap.on ^= true,
             Command::PlayTime => self.toggle_time(),
@@ -302,6 +309,14 @@ impl Editor {
             Command::ProblemsPanel => self.layout.bring_up(Panel::Problems),
             Command::ResetLayout => self.layout.reset(),
         }
+    }
+
+    /// The selection follows the pointer over the picture, which must be there for that.
+    fn grab(&mut self, grabbed: Grabbed) {
+        if !self.layout.shows(Panel::Viewport) {
+            self.layout.bring_up(Panel::Viewport);
+        }
+        self.viewport.grab(grabbed);
     }
 
     fn undo(&mut self) {
