@@ -157,6 +157,7 @@ commands! {
         Join: "Join clouds", "Make the selected clouds one cloud.", ctrl(Key::J), Some(icon::UNITE);
         Split: "Split cloud", "Make the selected boxes a cloud of their own.", ctrl_shift(Key::J), Some(icon::SUBTRACT);
         Reroll: "Re-roll", "Strew the selected cloud's or model's sprites anew, with another seed.", key(Key::K), Some(icon::DICE_FIVE);
+        FitSprites: "Fit sprites to box", "Give the selected boxes as many and as large sprites as fill them.", NONE, None;
         ResetSprites: "Reset sprites", "Take back what was changed by hand about the selected sprites or boxes.", NONE, None;
         Delete: "Delete", "Take the selection out of the scene.", key(Key::Delete), Some(icon::TRASH);
     }
@@ -205,6 +206,7 @@ commands! {
         GrabSize: "Scale by pointer", "The selection grows with the pointer until a click: X, Y, Z and figures say how much, Esc drops it.", NONE, None;
         BoxTool: "Box tool", "Drag a footprint at the base altitude, then pull the height.", key(Key::B), Some(icon::BOUNDING_BOX);
         Snap: "Snap", "Snap gestures to steps; Ctrl does the opposite while it is held.", shift(Key::S), Some(icon::MAGNET);
+        KeepFill: "Keep boxes filled", "A box that is resized stays as densely filled: its sprites grow and become more.", NONE, None;
         PlayTime: "Play time", "Let the time of day run in the view, or stop it; the scene's hour stays.", key(Key::P), Some(icon::PLAY);
         KeepHour: "Keep this hour", "Make the hour that is tried out the scene's.", NONE, None;
         SceneHour: "Back to the scene's hour", "Leave the hour that is tried out.", NONE, None;

@@ -94,8 +94,8 @@ impl Editor {
         self.clock.begin_anew();
         self.recording = None;
         self.charting.forget();
-        let ViewState { tool, snap, sorting, .. } = self.view;
-        self.view = ViewState { tool, snap, sorting, ..ViewState::default() };
+        let ViewState { tool, snap, keep_fill, sorting, .. } = self.view;
+        self.view = ViewState { tool, snap, keep_fill, sorting, ..ViewState::default() };
     }
 
     /// Asks for a file name.

@@ -11,8 +11,9 @@ use super::files::{self, Ask};
 use super::intent::Intent;
 use crate::saving::{self, SaveError, Saved};
 use crate::storage::{Over, StorageError};
-use cloudwright_core::document::SavedMark;
+use cloudwright_core::document::{Edit, SavedMark};
 use cloudwright_core::formats::scene_file;
+use cloudwright_core::scene::Scene;
 use std::path::{Path, PathBuf};
 
 impl Editor {
@@ -56,6 +57,7 @@ impl Editor {
             self.after_save = None;
             return self.tell_error(error.to_string());
         }
+        self.name_by(path);
         let (scene, path) = (self.session.scene().clone(), path.to_path_buf());
         let from = self.session.path().map(PathBuf::from);
         let mark = self.session.document().mark();
@@ -65,6 +67,16 @@ impl Editor {
             Done::Saved { path, mark, outcome }
         });
         context.request_repaint();
+    }
+
+    /// A scene that is saved for the first time, and that nobody gave a name, is called what its file is.
+    fn name_by(&mut self, path: &Path) {
+        let unnamed = self.session.path().is_none() && self.session.scene().name == Scene::default().name;
+        let stem = path.file_stem().map(|stem| stem.to_string_lossy().into_owned());
+        if let Some(name) = stem.filter(|_| unnamed) {
+            let done = self.session.edit("Name by its file", vec![Edit::Name(name)]);
+            self.report(done);
+        }
     }
 
     pub(super) fn saved(

@@ -3,11 +3,29 @@
 use super::shading_groups::group_name;
 use crate::command::Command;
 use crate::state::{Action, Item, Reading};
-use crate::widget::{Fields, Kept, heading, kept};
+use crate::theme;
+use crate::widget::{Fields, Kept, heading, kept, number_field};
+use cloudwright_core::arrange::fill;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{BOX_SHADING, BOX_SHAPE, Kind, Owner, Property, Value};
+use cloudwright_core::property::{BOX_SHADING, BOX_SHAPE, Kind, Number, Owner, Property, Value};
 use cloudwright_core::scene::{CloudBox, CloudModel, ModelId, Thing};
 use egui::Ui;
+use glam::DVec3;
+
+const DENSITY: Number = Number {
+    label: "Density",
+    unit: "×",
+    min: 0.01,
+    max: 100.0,
+    doc: "How many times as many sprites as usually fill a box of this size. It stays when the box is resized.",
+};
+const RELATIVE_SIZE: Number = Number {
+    label: "Sprite size",
+    unit: "×",
+    min: 0.01,
+    max: 100.0,
+    doc: "How many times as large as sprites usually are in a box of this size. It stays when the box is resized.",
+};
 
 /// A box and the model that it belongs to.
 pub(super) type ModelBox<'a> = (ModelId, &'a CloudBox);
@@ -22,6 +40,8 @@ pub(super) fn fields_of(
 ) {
     let alone: Vec<&CloudBox> = boxes.iter().map(|(_, each)| *each).collect();
     let replace = |at: usize, each| Edit::Box(boxes[at].0, ListEdit::Replace(each));
+    let keep_fill = reading.view.keep_fill;
+    let resized = |at: usize, each: CloudBox| replace(at, resized(boxes[at].1, each, keep_fill));
     // A box without a category has its model's, and one without a key is keyed by its id.
     let inherited = |each: &CloudBox, property: &Property| match property.kind {
         Kind::Category => Some(Value::Text(model.category.name().into())),
@@ -32,8 +52,9 @@ pub(super) fn fields_of(
         "Change box",
         actions,
         |fields, ui| fields.rows(ui, BOX_SHAPE),
-        replace,
+        resized,
     );
+    fill_fields(ui, boxes, actions);
     let placed = reading.view.selection.cloud(reading.session.scene());
     match placed.and_then(|cloud| reading.session.placed(cloud.id)) {
         Some(cloud) => {
@@ -60,5 +81,44 @@ pub(super) fn fields_of(
     let panel = Command::GroupsPanel.row();
     if ui.button("Shape its light").on_hover_text(panel.help).clicked() {
         actions.push(Action::Command(panel.command));
+    }
+}
+
+/// `new` as a hand wants it that changed the size of `old` in its field: the base stays where it is and so does how the box
+/// is filled.
+fn resized(old: &CloudBox, new: CloudBox, keep_fill: bool) -> CloudBox {
+    if new.size == old.size {
+        return new;
+    }
+    let center = new.center + new.orientation * (DVec3::Y * ((new.size.y - old.size.y) * 0.5));
+    let same_fill = (new.sprite_count, new.width, new.height) == (old.sprite_count, old.width, old.height);
+    let filled =
+        if keep_fill && same_fill { fill::resized(&CloudBox { size: old.size, ..new.clone() }, new.size) } else { new };
+    CloudBox { center, ..filled }
+}
+
+/// How densely the boxes are filled and with how large sprites, as shares of what usually fills a box of that size: another
+/// way to say *Sprites*, *Width* and *Height*.
+fn fill_fields(ui: &mut Ui, boxes: &[ModelBox<'_>], actions: &mut Vec<Action>) {
+    type Field = (Number, fn(&CloudBox) -> f64, fn(&CloudBox, f64) -> CloudBox);
+    const FIELDS: [Field; 2] =
+        [(DENSITY, fill::density, fill::with_density), (RELATIVE_SIZE, fill::sprite_size, fill::with_sprite_size)];
+    let Some((_, first)) = boxes.first() else { return };
+    egui::Grid::new("fill").num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, |ui| {
+        for (number, get, set) in FIELDS {
+            ui.label(number.label).on_hover_text(number.doc);
+            let shown = (get(first) * 100.0).round() / 100.0;
+            let mut value = shown;
+            if number_field(ui, number.label, &number, &mut value, false) && value != shown {
+                let edits = boxes.iter().map(|(of, each)| Edit::Box(*of, ListEdit::Replace(set(each, value))));
+                let live = ui.input(|input| input.pointer.any_down());
+                actions.push(Action::Change { name: number.label, edits: edits.collect(), live });
+            }
+            ui.end_row();
+        }
+    });
+    let row = Command::FitSprites.row();
+    if ui.button(row.name).on_hover_text(row.help).clicked() {
+        actions.push(Action::Command(row.command));
     }
 }

@@ -62,6 +62,9 @@ impl Palette {
             self.line = (self.line + usize::from(down)).saturating_sub(usize::from(up)).min(found.len().max(1) - 1);
             ui.add_space(theme::GAP);
             ScrollArea::vertical().max_height(theme::DIALOG_LIST_HEIGHT).auto_shrink(false).show(ui, |ui| {
+                if found.is_empty() {
+                    ui.weak(format!("No command matches “{}”", visible::one_line(self.typed.trim())));
+                }
                 for (line, row) in found.iter().enumerate() {
                     let mut button =
                         Button::selectable(line == self.line, (row.icon.unwrap_or(" "), row.name.as_str()));

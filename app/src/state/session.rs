@@ -32,6 +32,8 @@ pub struct Session {
     derived: Arc<Derived>,
     /// The scene as it is drawn, and last was without errors: workers read it while the document goes on.
     shown: Arc<Scene>,
+    /// The same with all of its tracks.
+    whole: Arc<Scene>,
     /// The addresses of what is shown as the scene has it and not its track: a hand has changed it since it was keyed.
     muted: BTreeSet<String>,
     /// Whether `shown` is the document's scene.
@@ -39,6 +41,8 @@ pub struct Session {
     stale: Change,
     /// How far the history has moved since the clouds were last those of the scene; back counts as negative.
     steps: isize,
+    /// Whether the open gesture changes values, which the history then tells.
+    tells: bool,
     regeneration: Regeneration,
     revision: Version,
 }
@@ -62,6 +66,7 @@ impl Session {
         let mut session = Self {
             derived: Arc::new(Derived::default()),
             shown: Arc::new(scene.clone()),
+            whole: Arc::new(scene.clone()),
             muted: BTreeSet::new(),
             is_sound: true,
             document: Document::new(scene),
@@ -69,6 +74,7 @@ impl Session {
             beside: Beside::default(),
             stale: Change::everything(),
             steps: 0,
+            tells: false,
             regeneration: Regeneration::default(),
             revision: Version::fresh(),
         };
@@ -129,7 +135,7 @@ impl Session {
 
     /// The scene as the last undo point left it, shared; none while a gesture is open.
     pub(crate) fn settled(&self) -> Option<Arc<Scene>> {
-        (self.is_sound && !self.document.is_open()).then(|| Arc::clone(&self.shown))
+        (self.is_sound && !self.document.is_open()).then(|| Arc::clone(&self.whole))
     }
 
     /// One undo point from beginning to end.
@@ -143,6 +149,7 @@ impl Session {
 
     /// A step of a gesture that [`Session::commit`] or [`Session::cancel`] ends.
     pub(crate) fn drag(&mut self, name: &str, edits: Vec<Edit>) -> Result<(), EditError> {
+        self.tells &= self.document.is_open();
         self.document.begin(name);
         let mut change = Change::default();
         let done = edits.into_iter().try_for_each(|edit| {
@@ -150,6 +157,14 @@ impl Session {
             Ok(())
         });
         self.follow(change);
+        done
+    }
+
+    /// The same of values: the history tells what became of them, if it is one, instead of the name.
+    pub(crate) fn drag_values(&mut self, name: &str, edits: Vec<Edit>) -> Result<(), EditError> {
+        let begins = !self.document.is_open();
+        let done = self.drag(name, edits);
+        self.tells |= begins;
         done
     }
 
@@ -170,7 +185,8 @@ impl Session {
     /// Ends a gesture as one undo point. What is refused is taken back.
     pub(crate) fn commit(&mut self) -> Result<(), EditError> {
         let was_open = self.document.is_open();
-        let done = self.document.commit();
+        let tells = std::mem::take(&mut self.tells);
+        let done = if tells { self.document.commit_told() } else { self.document.commit() };
         match &done {
             Err(EditError::Problems { taken_back, .. }) => self.follow(taken_back.clone()),
             Err(_) => {}
@@ -283,11 +299,11 @@ impl Session {
         if !self.is_sound {
             return;
         }
-        let mut shown = self.scene().clone();
+        self.whole = Arc::new(self.scene().clone());
+        self.shown = Arc::clone(&self.whole);
         if !self.muted.is_empty() {
-            shown.tracks.retain(|track| !self.muted.contains(&track.property));
+            Arc::make_mut(&mut self.shown).tracks.retain(|track| !self.muted.contains(&track.property));
         }
-        self.shown = Arc::new(shown);
         self.revision = Version::fresh();
         // Light and cameras don't overtake the work on sprites.
         if touches_derived || self.regeneration.pending().is_none() {

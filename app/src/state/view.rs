@@ -111,7 +111,7 @@ impl Default for Snap {
 }
 
 /// The editor's own view of the scene.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone)]
 pub struct ViewState {
     /// What is selected.
     pub selection: Selection,
@@ -119,6 +119,8 @@ pub struct ViewState {
     pub tool: Tool,
     /// What gestures snap to.
     pub snap: Snap,
+    /// Whether a box that is resized stays as densely filled.
+    pub keep_fill: bool,
     /// The altitude that the box tool draws on, metres; none: that of the selected cloud, or 1,000.
     pub base_altitude_m: Option<f64>,
     /// The outlines of all boxes, not only of selected ones.
@@ -143,6 +145,29 @@ pub struct ViewState {
     pub locked: BTreeSet<Item>,
     /// If any: only these clouds are drawn.
     pub solo: BTreeSet<Item>,
+}
+
+impl Default for ViewState {
+    fn default() -> Self {
+        Self {
+            selection: Selection::default(),
+            tool: Tool::default(),
+            snap: Snap::default(),
+            keep_fill: true,
+            base_altitude_m: None,
+            show_all_boxes: false,
+            sprite_marks: SpriteMarks::default(),
+            group_view: false,
+            sorting: Sorting::default(),
+            method: None,
+            lens: Lens::default(),
+            path_key: None,
+            timeline: TimelineView::default(),
+            hidden: BTreeSet::new(),
+            locked: BTreeSet::new(),
+            solo: BTreeSet::new(),
+        }
+    }
 }
 
 /// Where the box tool draws when nothing says otherwise, metres.

@@ -14,7 +14,7 @@ use crate::state::{Action, Choose, Item, Reading, box_of};
 use drawn::{Drawn, Made, Target};
 use egui::{Key, Modifiers, Painter, Pos2, Response, Ui, vec2};
 use glam::DVec3;
-use surface::Surface;
+use surface::{DEPTH_SHARE, Surface};
 
 /// What the history calls it.
 const NAME: &str = "Box tool";
@@ -135,7 +135,13 @@ impl BoxTool {
         let text = match drawn {
             Some(drawn) => {
                 let size = drawn.size_m();
-                format!("{:.0} × {:.0} × {:.0} m", size.x, size.y, size.z)
+                let upright = self.drawing.as_ref().is_some_and(|drawing| drawing.surface.is_upright());
+                let why = if upright {
+                    format!(" · base seen from its edge: depth {:.0} % of the width", DEPTH_SHARE * 100.0)
+                } else {
+                    String::new()
+                };
+                format!("{:.0} × {:.0} × {:.0} m{why}", size.x, size.y, size.z)
             }
             None => format!("base {} m", base_m.round()),
         };

@@ -9,7 +9,7 @@ use super::screen::Screen;
 use crate::state::{Action, Item, Reading, Tool, box_of};
 use crate::theme;
 use crate::widget::name_it;
-use cloudwright_core::arrange::ModelSpace;
+use cloudwright_core::arrange::{ModelSpace, fill};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::BOX_SIZE;
 use cloudwright_core::scene::{CloudBox, ModelId};
@@ -49,12 +49,14 @@ impl Face {
         space.to_world(each.center + each.orientation * (self.normal() * (each.size[self.axis] * 0.5)))
     }
 
-    /// The box when this face is moved outwards by `by`, metres of the model; `side_m` is the least that stays.
-    fn moved(self, each: &CloudBox, by: f64, least: f64) -> CloudBox {
-        let mut new = each.clone();
+    /// The box when this face is moved outwards by `by`, metres of the model; `least` is the least that stays. Its sprites go
+    /// along if it `keeps_fill`.
+    fn moved(self, each: &CloudBox, by: f64, least: f64, keeps_fill: bool) -> CloudBox {
         let old = each.size[self.axis];
         let side = (old + by).clamp(least.min(BOX_SIZE.max), BOX_SIZE.max);
-        new.size[self.axis] = side;
+        let mut size = each.size;
+        size[self.axis] = side;
+        let mut new = if keeps_fill { fill::resized(each, size) } else { CloudBox { size, ..each.clone() } };
         new.center += each.orientation * (self.normal() * ((side - old) * 0.5));
         new
     }
@@ -111,7 +113,7 @@ impl Faces {
             if response.dragged()
                 && let (Some(held), Some(to)) = (&self.held, response.interact_pointer_pos())
             {
-                if let Some(new) = held.dragged(to, snap_m(ui, reading), screen) {
+                if let Some(new) = held.dragged(to, snap_m(ui, reading), reading.view.keep_fill, screen) {
                     let side_m = new.size[face.axis] * space.scale;
                     overlay::label(painter, to + vec2(16.0, 16.0), &format!("{side_m:.1} m"));
                     actions.push(Action::change(NAME, Edit::Box(held.model, ListEdit::Replace(new)), true));
@@ -129,7 +131,7 @@ impl Faces {
 
 impl Held {
     /// The box with its face where the hand is.
-    fn dragged(&self, to: Pos2, snap_m: Option<f64>, screen: &Screen) -> Option<CloudBox> {
+    fn dragged(&self, to: Pos2, snap_m: Option<f64>, keeps_fill: bool, screen: &Screen) -> Option<CloudBox> {
         let Self { face, start, space, from, .. } = self;
         let normal = space.turn * start.orientation * face.normal();
         let center = face.center_in_world(space, start);
@@ -137,7 +139,7 @@ impl Held {
         let old_m = start.size[face.axis] * space.scale;
         let side_m = snap_m.map_or(old_m + pulled_m, |step| ((old_m + pulled_m) / step).round() * step);
         let least_m = snap_m.unwrap_or(LEAST_SIDE_M);
-        Some(face.moved(start, (side_m - old_m) / space.scale, least_m / space.scale))
+        Some(face.moved(start, (side_m - old_m) / space.scale, least_m / space.scale, keeps_fill))
     }
 }
 
@@ -177,7 +179,8 @@ fn by_keys(
         let mut pressed = |key| f64::from(input.consume_key(Modifiers::NONE, key));
         pressed(Key::ArrowUp) + pressed(Key::ArrowRight) - pressed(Key::ArrowDown) - pressed(Key::ArrowLeft)
     });
-    let new = face.moved(each, steps * reading.view.snap.step_m / space.scale, LEAST_SIDE_M / space.scale);
+    let by = steps * reading.view.snap.step_m / space.scale;
+    let new = face.moved(each, by, LEAST_SIDE_M / space.scale, reading.view.keep_fill);
     (steps != 0.0).then(|| Action::change(NAME, Edit::Box(model, ListEdit::Replace(new)), false))
 }
 
@@ -205,7 +208,7 @@ mod tests {
         for face in Face::all() {
             let opposite = Face { side: -face.side, ..face };
             for by in [120.0, -80.0, -1e9, 1e9] {
-                let new = face.moved(&each, by, 1.0);
+                let new = face.moved(&each, by, 1.0, true);
                 let before = opposite.center_in_world(&space, &each);
                 let after = opposite.center_in_world(&space, &new);
                 assert!(before.distance(after) < 1e-6, "{}: {after}", face.name());

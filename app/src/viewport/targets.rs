@@ -5,7 +5,7 @@
 
 use super::places::Places;
 use crate::state::{Item, Reading, Tool, ViewState, box_of, group_of};
-use cloudwright_core::arrange::{ModelSpace, sprites};
+use cloudwright_core::arrange::{ModelSpace, fill, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::{BOX_SIZE, CLOUD_SCALE, POSITION};
 use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, InScene, ModelId, PoseMut, Scene, ShadingGroup};
@@ -37,6 +37,8 @@ pub(super) struct Targets {
     sprites: Vec<(Cloud, sprites::SpriteId, DVec3)>,
     /// A group whose centre is moved, and where it lies in the world.
     group: Option<(ModelSpace, ModelId, ShadingGroup, DVec3)>,
+    /// Whether sprites go along with the size of their box.
+    keeps_fill: bool,
     /// The middle of all, in the world.
     pub(super) pivot: DVec3,
     /// The axes that they are moved along: a single box's own, else the world's.
@@ -53,6 +55,7 @@ impl Targets {
             posed: Vec::new(),
             sprites: Vec::new(),
             group: None,
+            keeps_fill: view.keep_fill,
             pivot: DVec3::ZERO,
             turn: DQuat::IDENTITY,
         };
@@ -220,7 +223,8 @@ impl Targets {
                 let by = if self.is_single_box() { by } else { DVec3::splat(by.x) };
                 let size = short(old.size * by).clamp(DVec3::splat(BOX_SIZE.min), DVec3::splat(BOX_SIZE.max));
                 let center = if self.is_single_box() { old.center } else { place(act) };
-                CloudBox { center, size, ..old.clone() }
+                let resized = if self.keeps_fill { fill::resized(old, size) } else { CloudBox { size, ..old.clone() } };
+                CloudBox { center, ..resized }
             }
         }
     }
@@ -297,6 +301,7 @@ mod tests {
             posed: Vec::new(),
             sprites: Vec::new(),
             group: None,
+            keeps_fill: true,
             pivot,
             turn: DQuat::IDENTITY,
         }

@@ -13,6 +13,7 @@ mod copied;
 mod copy;
 pub mod delete;
 pub mod duplicate;
+pub mod fill;
 pub mod group;
 pub mod join;
 pub mod keys;

@@ -7,6 +7,7 @@
 mod edit;
 mod history;
 mod set;
+mod told;
 mod transaction;
 
 pub use edit::{Edit, ListEdit};
@@ -114,9 +115,24 @@ impl Document {
     /// # Errors
     /// If it left faults in the scene that were not there before; it is then taken back.
     pub fn commit(&mut self) -> Result<(), EditError> {
+        self.close(false)
+    }
+
+    /// The same, under a name that tells what was changed where that is one property: "Width of belly from 210 to 340 m".
+    ///
+    /// # Errors
+    /// As [`Document::commit`].
+    pub fn commit_told(&mut self) -> Result<(), EditError> {
+        self.close(true)
+    }
+
+    fn close(&mut self, tell: bool) -> Result<(), EditError> {
         let Some(mut point) = self.open.take().map(Transaction::into_point) else { return Ok(()) };
         let mut before = self.scene.clone();
-        let (_, change) = point.reverse(&mut before);
+        let (forward, change) = point.reverse(&mut before);
+        if tell && let Some(told) = told::told(&point.name, point.inverses(), forward.inverses()) {
+            point.name = told;
+        }
         if before == self.scene {
             return Ok(());
         }

@@ -63,6 +63,11 @@ impl UndoPoint {
         (Self { name: self.name.clone(), mark: self.mark, inverses }, change)
     }
 
+    /// The edits, of which the last is applied first.
+    pub(super) fn inverses(&self) -> &[Edit] {
+        &self.inverses
+    }
+
     /// The edits in the order in which [`UndoPoint::reverse`] applies them.
     pub(super) fn into_edits(self) -> Vec<Edit> {
         self.inverses.into_iter().rev().collect()

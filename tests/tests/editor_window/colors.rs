@@ -63,7 +63,7 @@ fn a_level_is_dragged_in_the_panel_and_on_the_cloud() {
         let work = window.session().derived().work_done();
         assert_eq!(work.models_populated, 1, "{handle}: no sprite is strewn again");
         let_go(&mut window, at);
-        assert_eq!(window.undo_name().as_deref(), Some("Change colour levels"), "{handle}");
+        window.was_told("Height of level ");
         window.press("Undo");
         assert_eq!((window.scene(), window.undo_name()), (&scene, None), "{handle}: one step");
 

@@ -3,6 +3,7 @@
 use crate::Window;
 use cloudwright::command::Command;
 use cloudwright::state::{Item, Selection};
+use cloudwright_core::scene::CloudBox;
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, vec2};
 
@@ -21,7 +22,7 @@ fn more_sprites_in_a_box() {
     let (scene, sprites) = (window.scene().clone(), window.sprites());
     window.set("Sprites", 300.0);
     assert!(window.sprites() > sprites, "{} and {sprites}", window.sprites());
-    assert_eq!(window.undo_name().as_deref(), Some("Change box"));
+    window.was_told("Sprites of ");
     let changed = window.scene().clone();
     window.press("Undo");
     assert_eq!((window.scene(), window.sprites()), (&scene, sprites));
@@ -48,7 +49,7 @@ fn a_drag_is_one_step() {
     assert_ne!(window.scene(), &scene, "what is dragged shows at once");
     window.pointer(field + vec2(120.0, 0.0), Some(false));
     window.settle();
-    assert_eq!(window.undo_name().as_deref(), Some("Change box"));
+    window.was_told("Sprites of ");
     window.press("Undo");
     assert_eq!((window.scene(), window.undo_name()), (&scene, None));
 }
@@ -151,4 +152,54 @@ fn things_are_added_duplicated_and_deleted() {
     }
     assert_eq!(window.scene(), &start);
     assert!(!window.session().document().is_modified());
+}
+
+/// A box that is pulled long keeps its density: more and larger sprites, no crumbs.
+#[test]
+fn a_resized_box_stays_filled_unless_that_is_switched_off() {
+    let mut window = with_box();
+    let before = window.primary_box();
+    window.set("Size x", before.size.x * 10.0);
+    let long = window.primary_box();
+    assert!(long.sprite_count > before.sprite_count && long.width[1] > before.width[1] * 1.5, "{long:?}");
+    window.was_told("Size x of body from ");
+    window.press("Undo");
+    assert_eq!(window.primary_box(), before);
+    window.command(Command::KeepFill);
+    window.set("Size x", before.size.x * 10.0);
+    assert_eq!(window.primary_box().sprite_count, before.sprite_count);
+    window.press("Fit sprites to box");
+    assert!((window.primary_box().sprite_count, window.primary_box().width) > (before.sprite_count, before.width));
+}
+
+#[test]
+fn a_lower_box_keeps_its_base() {
+    let mut window = with_box();
+    let before = window.primary_box();
+    window.set("Size y", before.size.y * 0.5);
+    let base = |each: &CloudBox| each.center.y - each.size.y * 0.5;
+    assert!((base(&window.primary_box()) - base(&before)).abs() < 1e-6);
+}
+
+#[test]
+fn density_and_relative_size_are_another_way_to_say_it() {
+    let mut window = with_box();
+    window.press("Fit sprites to box");
+    let before = window.primary_box();
+    window.set("Density", 2.0);
+    let doubled = window.primary_box().sprite_count;
+    assert!(doubled.abs_diff(before.sprite_count * 2) <= 1, "{doubled}");
+    window.set("Sprite size", 0.5);
+    assert!((window.primary_box().width[1] - before.width[1] * 0.5).abs() < 0.2);
+    assert_eq!(window.primary_box().sprite_count, doubled);
+    window.was_told("Sprite size · body");
+}
+
+#[test]
+fn what_no_command_matches_is_said() {
+    let mut window = with_box();
+    window.command(Command::Palette);
+    window.harness.event(egui::Event::Text("xyzzy".into()));
+    window.settle();
+    assert!(window.shows("No command matches “xyzzy”"));
 }

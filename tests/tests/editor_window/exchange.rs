@@ -163,7 +163,7 @@ fn a_model_stands_on_the_ground_and_has_its_values() {
     for _ in 0..3 {
         window.command(Command::Undo);
     }
-    assert_eq!((window.file(), window.undo_name()), (start, None));
+    assert_eq!((window.file(), window.undo_name().as_deref()), (start, Some("Name by its file")));
 }
 
 #[test]

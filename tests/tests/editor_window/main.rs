@@ -142,6 +142,12 @@ impl Window {
         self.session().derived().clouds().iter().map(|cloud| cloud.sprites.len()).sum()
     }
 
+    /// The last undo point has a name that tells what was done and begins so.
+    fn was_told(&self, words: &str) {
+        let name = self.undo_name();
+        assert!(name.as_ref().is_some_and(|name| name.starts_with(words)), "{name:?}, not {words}");
+    }
+
     fn undo_name(&self) -> Option<String> {
         self.session().document().undo_name().map(Into::into)
     }

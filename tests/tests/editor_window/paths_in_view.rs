@@ -71,7 +71,7 @@ fn the_gizmo_moves_a_key_alone_or_the_whole_path() {
     let after: Vec<DVec3> = (0..3).map(|index| window.key_place(index)).collect();
     assert!(after[1].y > before[1].y + 10.0, "{} from {}", after[1], before[1]);
     assert_eq!((after[0], after[2]), (before[0], before[2]));
-    assert_eq!(window.undo_name().as_deref(), Some("Move"));
+    window.was_told("Move path key 2 by ");
     window.press("Undo");
     assert_eq!((window.scene(), window.undo_name()), (&start, None));
     window.select([Item::Path(start.paths[0].id)]);

@@ -3,6 +3,7 @@
 use crate::Window;
 use cloudwright::command::Command;
 use cloudwright::editor::Reply;
+use cloudwright::state::Item;
 use cloudwright::storage::{Folders, Over};
 use cloudwright::{opening, saving};
 use cloudwright_core::formats::scene_file;
@@ -71,6 +72,20 @@ fn a_gesture_that_goes_on_puts_off_nothing_that_came_before() {
     assert!(window.session().document().is_open() && window.scene().clouds.len() > before.clouds.len());
     window.wait("what was done before, and nothing of the gesture", |_| kept(home.path()).as_ref() == Some(&before));
     assert!(window.session().document().is_open());
+}
+
+/// While a hand has changed what a track moves, the track does not show; it is there all the same.
+#[test]
+fn tracks_that_do_not_show_are_kept() {
+    let home = tempfile::tempdir().expect("a folder");
+    let mut window = Window::open_with(Some(Folders::within(home.path())));
+    window.settle();
+    window.select([Item::Cloud(window.scene().clouds[0].id)]);
+    window.ask("Key Position");
+    window.set("Position x", 123.0);
+    let now = window.scene().clone();
+    assert_eq!((now.tracks.len(), now.clouds[0].position.x), (1, 123.0));
+    window.wait("what was done", |_| kept(home.path()).as_ref() == Some(&now));
 }
 
 #[test]

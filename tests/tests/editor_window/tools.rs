@@ -94,7 +94,7 @@ fn an_arrow_moves_a_cloud_by_steps() {
     let moved = window.scene().clouds[0].position - cloud.position;
     assert!(moved.x >= 100.0 && moved.x % 50.0 == 0.0, "{moved}");
     assert_eq!((moved.y, moved.z), (0.0, 0.0));
-    assert_eq!(window.undo_name().as_deref(), Some("Move"));
+    window.was_told("Position x of ");
     window.press("Undo");
     assert_eq!((window.scene(), window.undo_name()), (&start, None));
     // The arrow upwards, freely: Ctrl does the opposite of the switch.
@@ -140,7 +140,7 @@ fn rings_turn_and_circles_scale_about_the_middle() {
     window.drag(pivot + vec2(radius, 0.0), vec2(radius * 0.5, 0.0));
     assert!((window.scene().clouds[0].scale - 1.5).abs() < 1e-9, "{}", window.scene().clouds[0].scale);
     assert!(window.middle_of(&cloud).distance(middle) < 0.01, "the middle stays");
-    assert_eq!(window.undo_name().as_deref(), Some("Scale"));
+    window.was_told("Scale of ");
     window.press("Undo");
     window.press("Rotate");
     // The ring about the vertical, seen from below: its near side is a flat arc above the pivot.
@@ -148,7 +148,7 @@ fn rings_turn_and_circles_scale_about_the_middle() {
     window.drag(near, vec2(-70.0, 0.0));
     let turned = window.scene().clouds[0].heading_deg;
     assert!(turned.abs() >= 15.0 && turned % 15.0 == 0.0, "{turned}");
-    assert_eq!(window.undo_name().as_deref(), Some("Rotate"));
+    window.was_told("Heading of ");
     assert!(window.middle_of(&cloud).distance(middle) < 0.01);
 }
 
@@ -163,7 +163,7 @@ fn a_face_is_dragged_and_the_opposite_one_stays() {
     assert!(after.size.x > before.size.x + 50.0 && after.size.y == before.size.y);
     let west = |each: &CloudBox| each.center.x - each.size.x * 0.5;
     assert!((west(&after) - west(&before)).abs() < 1e-6);
-    assert_eq!(window.undo_name().as_deref(), Some("Move face"));
+    window.was_told("Size x of body from ");
     window.press("Undo");
     assert_eq!(window.primary_box(), before);
     window.harness.get_by_label("Face −y").focus();
@@ -329,7 +329,7 @@ fn a_group_center_is_moved_by_hand() {
     let GroupCenter::At(moved) = window.scene().models[0].groups[0].light.center else { panic!("put by hand") };
     let moved = ModelSpace::of(&window.scene().clouds[0]).to_world(moved) - center;
     assert!(moved.y > 50.0 && moved.x.abs() < 0.1 && moved.z.abs() < 0.1, "{moved}");
-    assert_eq!(window.undo_name().as_deref(), Some("Move"));
+    window.was_told("Move · ");
     let scene = window.scene().clone();
     // A group that is gone has no handle.
     window.select([Item::Group(model, GroupId(999))]);

@@ -9,7 +9,7 @@ use crate::state::{Item, Selection, box_of};
 use cloudwright_core::arrange::duplicate::{self, Copy};
 use cloudwright_core::arrange::mirror::{self, Axis};
 use cloudwright_core::arrange::sprites::SpriteId;
-use cloudwright_core::arrange::{Arrangement, Refusal, delete, join, split, sprites};
+use cloudwright_core::arrange::{Arrangement, Refusal, delete, fill, join, split, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::random;
 use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId};
@@ -134,6 +134,14 @@ impl Editor {
             }
         };
         self.arrange(Command::Reroll, Arrangement { edits, made: Vec::new() });
+    }
+
+    /// Those of the selected boxes.
+    pub(super) fn fit_sprites(&mut self) {
+        let scene = self.session.scene();
+        let boxes = self.view.selection.boxes().filter_map(|(of, id)| Some((of, box_of(scene, of, id)?)));
+        let edits = boxes.map(|(of, each)| Edit::Box(of, ListEdit::Replace(fill::filled(each)))).collect();
+        self.arrange(Command::FitSprites, Arrangement { edits, made: Vec::new() });
     }
 
     /// The selected sprites, and all of the selected boxes.

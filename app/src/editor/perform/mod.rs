@@ -63,7 +63,7 @@ impl Editor {
         if edits.iter().any(|edit| matches!(edit, Edit::TimeOfDay(_))) {
             self.time_play.leave();
         }
-        let mut done = self.session.drag(name, edits);
+        let mut done = self.session.drag_values(name, edits);
         if done.is_ok() && !live {
             done = self.session.commit();
         }
@@ -110,7 +110,7 @@ impl Editor {
             Command::DuplicateOwn | Command::MakeOwn => clouds > 0,
             Command::MirrorX | Command::MirrorY | Command::MirrorZ => boxes > 0 || clouds > 0,
             Command::Join => clouds > 1,
-            Command::Split => boxes > 0,
+            Command::Split | Command::FitSprites => boxes > 0,
             Command::NewGroup | Command::Ungroup | Command::ResetSprites => {
                 boxes > 0 || selection.sprites().next().is_some()
             }
@@ -155,6 +155,7 @@ impl Editor {
             Command::BoxTool => view.tool == Tool::Box,
             Command::SwitchKeymap => self.disk.settings().keymap == Keymap::Blender,
             Command::Snap => view.snap.on,
+            Command::KeepFill => view.keep_fill,
             Command::ShowBoxes => view.show_all_boxes,
             Command::SpriteMarks => view.sprite_marks != SpriteMarks::Off,
             Command::GroupView => view.group_view,
@@ -200,6 +201,7 @@ impl Editor {
             Command::Join => self.join(),
             Command::Split => self.split(),
             Command::Reroll => self.reroll(),
+            Command::FitSprites => self.fit_sprites(),
             Command::ResetSprites => self.reset_sprites(),
             Command::Delete => self.delete(),
             Command::AddCloud => self.add_cloud(),
@@ -242,6 +244,7 @@ impl Editor {
             Command::GrabSize => self.grab(Grabbed::Size),
             Command::BoxTool => self.view.tool = Tool::Box,
             Command::Snap => self.view.snap.on ^= true,
+            Command::KeepFill => self.view.keep_fill ^= true,
             Command::PlayTime => self.toggle_time(),
             Command::KeepHour => self.keep_hour(),
             Command::SceneHour => drop(self.time_play.leave()),

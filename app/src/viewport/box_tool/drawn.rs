@@ -1,10 +1,9 @@
 //! A box that is being drawn: its footprint and height in the world, and the edits that bring it into the scene.
 
 use crate::state::Reading;
-use cloudwright_core::arrange::ModelSpace;
-use cloudwright_core::arrange::Names;
+use cloudwright_core::arrange::{ModelSpace, Names, fill};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{BOX_SIZE, SPRITE_SIZE};
+use cloudwright_core::property::BOX_SIZE;
 use cloudwright_core::scene::{BoxId, Category, Cloud, CloudBox, CloudId, CloudModel, ModelId, Scene};
 use glam::{DQuat, DVec3};
 
@@ -12,13 +11,6 @@ use glam::{DQuat, DVec3};
 const SIDE_M: f64 = 500.0;
 /// Of the footprint's shorter side: the height before it is pulled.
 const HEIGHT_SHARE: f64 = 0.4;
-/// So many sprites in a cube; more in what is flat or long, up to what a box usually has at the most (W).
-const SPRITES: [f64; 2] = [30.0, 100.0];
-/// So many sprites read as one lump (W).
-const LUMP: u32 = 30;
-/// Range of the sprites' sides in a cube's.
-const SPRITE_SHARE: [f64; 2] = [0.3, 0.5];
-
 /// Where the box goes.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Target {
@@ -169,46 +161,7 @@ impl Drawn {
 
 /// A box whose sprites fill it whatever its size: metres in the world, of which `scale` are one in the model.
 fn filled(id: BoxId, center: DVec3, size_m: DVec3, scale: f64) -> CloudBox {
-    let mut new = CloudBox::new(id, center);
-    new.size = size_m / scale;
-    // What is flat or long is filled by more sprites of the size that a cube of its volume would have; by larger ones
-    // where the most would leave gaps, over its largest face or along its longest side.
-    let [short, middle, long] = sorted(size_m.to_array());
-    let cube_m = (short * middle * long).cbrt();
-    let spread: f64 = [short, middle, long].map(|side| (side / cube_m).max(1.0)).into_iter().product();
-    let cell_m = cube_m.max((middle * long).sqrt() * 0.4).max(long * 0.125);
-    new.sprite_count = (SPRITES[0] * spread).clamp(SPRITES[0], SPRITES[1]) as u32;
-    let side = SPRITE_SHARE.map(|share| (cell_m * share / scale).clamp(SPRITE_SIZE.min, SPRITE_SIZE.max).round_to(0.1));
-    (new.width, new.height) = (side, side);
-    new.lumps = lumps(size_m, new.sprite_count);
-    new
-}
-
-/// Into how many lumps of at most some thirty sprites a box falls, the longest pieces halved first.
-fn lumps(size_m: DVec3, sprite_count: u32) -> [u32; 3] {
-    let mut lumps = [1; 3];
-    while lumps.iter().product::<u32>() * LUMP < sprite_count {
-        let length = |axis: &usize| size_m[*axis] / f64::from(lumps[*axis]);
-        let longest = (0..3).max_by(|a, b| length(a).total_cmp(&length(b))).unwrap_or(0);
-        lumps[longest] += 1;
-    }
-    lumps
-}
-
-fn sorted(mut sides: [f64; 3]) -> [f64; 3] {
-    sides.sort_by(f64::total_cmp);
-    sides
-}
-
-trait RoundTo {
-    fn round_to(self, step: f64) -> Self;
-}
-
-impl RoundTo for f64 {
-    /// Short numbers for the inspector; tiny ones stay what they are.
-    fn round_to(self, step: f64) -> Self {
-        if self > step { (self / step).round() * step } else { self }
-    }
+    fill::filled(&CloudBox { size: size_m / scale, ..CloudBox::new(id, center) })
 }
 
 #[cfg(test)]
@@ -261,17 +214,5 @@ mod tests {
         assert_eq!(drawn.height_m, 1.0);
         drawn.pull_to(f64::INFINITY, Some(50.0));
         assert_eq!(drawn.height_m, BOX_SIZE.max);
-    }
-
-    #[test]
-    fn flat_boxes_get_more_sprites_than_cubes() {
-        let cube = filled(BoxId(1), DVec3::ZERO, DVec3::splat(500.0), 1.0);
-        assert_eq!((cube.sprite_count, cube.width), (30, [150.0, 250.0]), "as an added box has it");
-        let flat = filled(BoxId(1), DVec3::ZERO, DVec3::new(4000.0, 100.0, 4000.0), 1.0);
-        assert_eq!((flat.sprite_count, flat.lumps), (100, [2, 1, 2]));
-        let wall = filled(BoxId(1), DVec3::ZERO, DVec3::new(377.0, 232.0, 1.0), 1.0);
-        assert!(wall.width[0] > 30.0, "no dust: {:?}", wall.width);
-        let tiny = filled(BoxId(1), DVec3::ZERO, DVec3::splat(1e-9), 1.0);
-        assert!(tiny.width[0] >= SPRITE_SIZE.min);
     }
 }

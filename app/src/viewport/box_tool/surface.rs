@@ -1,8 +1,10 @@
-//! What a footprint is drawn on: the level plane at the base altitude, where the pointer finds it at a fair distance; else
-//! an upright one through the point that the view looks at, on which the hand says how wide the box is.
+//! What a footprint is drawn on: the level plane at the base altitude, where the pointer finds it at a fair distance and
+//! sees it well; else an upright one there, or through the point that the view looks at, on which the hand says how wide
+//! the box is.
 //!
 //! So a box can be drawn anywhere in the picture, also by who flies at the clouds' own height and sees their base
-//! as a line. An upright footprint is as deep as a share of its width, and lies at the base altitude all the same.
+//! as a line: there, a hand that goes sideways would draw a sheet without depth. An upright footprint is as deep as a
+//! share of its width, and lies at the base altitude all the same.
 
 use super::drawn::Drawn;
 use crate::viewport::plane;
@@ -16,7 +18,9 @@ const FAR: f64 = 8.0;
 /// Nor nearer than this by its distance alone, metres.
 const FAIR_M: f64 = 20_000.0;
 /// Of an upright footprint's width.
-const DEPTH_SHARE: f64 = 0.6;
+pub(super) const DEPTH_SHARE: f64 = 0.6;
+/// A plane that falls less on the way from the eye is seen from its edge: 1 in 8.
+const LEAST_SLOPE: f64 = 0.125;
 
 /// Where the hand draws.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,14 +45,21 @@ impl Surface {
     pub(super) fn at(at: Pos2, screen: &Screen, base_m: f64, looked_at: DVec3) -> Option<(Self, DVec3)> {
         let eye = screen.view.eye;
         let farthest_m = FAIR_M.max(FAR * eye.distance(looked_at));
-        if let Some(point) = plane::under(at, screen, base_m).filter(|point| point.distance(eye) < farthest_m) {
+        let met = plane::under(at, screen, base_m).filter(|point| point.distance(eye) < farthest_m);
+        if let Some(point) = met.filter(|point| (point.y - eye.y).abs() >= LEAST_SLOPE * point.distance(eye)) {
             return Some((Self::Level(base_m), point));
         }
+        let through = met.unwrap_or(looked_at);
         let forward = screen.view.forward.as_dvec3();
         let away = DVec3 { y: 0.0, ..forward }.try_normalize()?;
-        let upright = Self::Upright { base_m, through: looked_at, away, from: DVec3::ZERO };
+        let upright = Self::Upright { base_m, through, away, from: DVec3::ZERO };
         let from = upright.under(at, screen)?;
-        Some((Self::Upright { base_m, through: looked_at, away, from }, from))
+        Some((Self::Upright { base_m, through, away, from }, from))
+    }
+
+    /// Whether the hand says only how wide the box is.
+    pub(super) fn is_upright(&self) -> bool {
+        matches!(self, Self::Upright { .. })
     }
 
     /// The place of the footprint under the pointer.
@@ -90,6 +101,9 @@ mod tests {
         let looked_at = eye - DVec3::Z * 3000.0;
         let begun = |y: f32, base_m: f64| Surface::at(pos2(100.0, y), &screen, base_m, looked_at);
         assert_eq!(begun(40.0, 1000.0).map(|(surface, _)| surface), Some(Surface::Level(1000.0)), "above");
+        // The base altitude is met a little above the middle, but seen from its edge: the box is drawn there.
+        let (surface, from) = begun(92.0, 720.0).expect("drawn upright");
+        assert!(surface.is_upright() && from.y == 720.0 && from.distance(eye) < 3000.0, "{from}");
         for (y, base_m) in [(180.0, 1000.0), (99.9, 1000.0), (100.0, 700.0)] {
             let (surface, from) = begun(y, base_m).expect("it can be drawn everywhere");
             assert!(matches!(surface, Surface::Upright { .. }), "{y}");

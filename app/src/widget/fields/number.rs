@@ -72,18 +72,23 @@ pub(crate) fn span_field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f
 
 /// What a track makes of a number, without digits that nobody reads.
 fn in_short(value: f64) -> f64 {
-    let parts = match value.abs() {
-        1000.0.. => 1.0,
-        100.0.. => 10.0,
-        10.0.. => 100.0,
-        _ => 1000.0,
-    };
+    let parts = if value.abs() >= 1000.0 { 1.0 } else { 10_f64.powi(decimals(value) as i32) };
     (value * parts).round() / parts
+}
+
+/// How many decimals of a number are shown: 825.8, 12.34, 0.125.
+fn decimals(value: f64) -> usize {
+    match value.abs() {
+        100.0.. => 1,
+        10.0.. => 2,
+        _ => 3,
+    }
 }
 
 /// The field of a number. One that is `mixed` stands for several that differ, and shows none.
 fn field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f64, mixed: bool) -> bool {
     let before = *value;
+    let shown = if span.whole { 0 } else { decimals(before) };
     let refused = Cell::new(None);
     // Of mixed values, the one that is shown may be typed to be had by all.
     let taken = Cell::new(false);
@@ -93,6 +98,8 @@ fn field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f64, mixed: bool)
         .update_while_editing(false)
         .custom_parser(|text| {
             let typed = typed_number(text, span.unit)?;
+            // Who leaves the field as it reads has not rounded it.
+            let typed = if format!("{before:.shown$}").parse() == Ok(typed) { before } else { typed };
             let is_allowed = span.allows(typed);
             if !is_allowed {
                 refused.set(Some(typed));
@@ -101,7 +108,7 @@ fn field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f64, mixed: bool)
             is_allowed.then_some(typed)
         })
         .speed(span.speed(before))
-        .max_decimals(if span.whole { 0 } else { 3 });
+        .max_decimals(shown);
     if mixed {
         field = field.custom_formatter(|_, _| MIXED.into());
     } else if !span.unit.is_empty() {
