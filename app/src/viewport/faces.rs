@@ -112,12 +112,11 @@ impl Faces {
             }
             if response.dragged()
                 && let (Some(held), Some(to)) = (&self.held, response.interact_pointer_pos())
+                && let Some(new) = held.dragged(to, snap_m(ui, reading), reading.view.keep_fill, screen)
             {
-                if let Some(new) = held.dragged(to, snap_m(ui, reading), reading.view.keep_fill, screen) {
-                    let side_m = new.size[face.axis] * space.scale;
-                    overlay::label(painter, to + vec2(16.0, 16.0), &format!("{side_m:.1} m"));
-                    actions.push(Action::change(NAME, Edit::Box(held.model, ListEdit::Replace(new)), true));
-                }
+                let side_m = new.size[face.axis] * space.scale;
+                overlay::label(painter, to + vec2(16.0, 16.0), &format!("{side_m:.1} m"));
+                actions.push(Action::change(NAME, Edit::Box(held.model, ListEdit::Replace(new)), true));
             }
             if response.clicked() {
                 clicked = response.interact_pointer_pos();

@@ -49,7 +49,7 @@ pub(super) enum Grab {
     None,
     /// The key was pressed.
     Wanted(Grabbed),
-    Held(Held),
+    Held(Box<Held>),
     /// It was ended by a button that is still down.
     Ended,
 }
@@ -128,7 +128,7 @@ fn begin(grabbed: Grabbed, ui: &Ui, response: &Response, screen: &Screen, readin
     response.request_focus();
     ui.ctx().request_repaint();
     let at = ui.input(|input| input.pointer.latest_pos()).unwrap_or(screen.rect.center());
-    Grab::Held(Held {
+    Grab::Held(Box::new(Held {
         grabbed,
         drag: Drag::new(targets),
         from: at,
@@ -136,12 +136,12 @@ fn begin(grabbed: Grabbed, ui: &Ui, response: &Response, screen: &Screen, readin
         around: 0.0,
         keep_to: KeepTo::All,
         typed: String::new(),
-    })
+    }))
 }
 
 impl Held {
     fn go_on(
-        mut self,
+        mut self: Box<Self>,
         ui: &Ui,
         painter: &Painter,
         screen: &Screen,

@@ -278,7 +278,7 @@ mod tests {
         let only = |name: &'static str, change: fn(&mut CloudBox)| {
             move |each: &mut CloudBox| {
                 if each.name == name {
-                    change(each)
+                    change(each);
                 }
             }
         };
@@ -306,7 +306,7 @@ mod tests {
             (825.812, "825.8"),
             (210.0, "210"),
             (12_345.6, "12346"),
-            (-3.14159, "−3.14"),
+            (-3.1459, "−3.15"),
             (0.12345, "0.123"),
             (-0.0001, "0"),
             (1e300, &format!("{:.0}", 1e300)),
