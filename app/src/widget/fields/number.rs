@@ -72,15 +72,16 @@ pub(crate) fn span_field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f
 
 /// What a track makes of a number, without digits that nobody reads.
 fn in_short(value: f64) -> f64 {
-    let parts = if value.abs() >= 1000.0 { 1.0 } else { 10_f64.powi(decimals(value) as i32) };
+    let parts = if value.abs() >= 1000.0 { 1.0 } else { 10_f64.powi(decimals(value, "") as i32) };
     (value * parts).round() / parts
 }
 
-/// How many decimals of a number are shown: 825.8, 12.34, 0.125.
-fn decimals(value: f64) -> usize {
-    match value.abs() {
-        100.0.. => 1,
-        10.0.. => 2,
+/// How many decimals of a number are shown: 825.8, 12.34, 0.125; of a time all that tell frames apart.
+fn decimals(value: f64, unit: &str) -> usize {
+    match (unit, value.abs()) {
+        ("s" | "h", _) => 3,
+        (_, 100.0..) => 1,
+        (_, 10.0..) => 2,
         _ => 3,
     }
 }
@@ -88,7 +89,7 @@ fn decimals(value: f64) -> usize {
 /// The field of a number. One that is `mixed` stands for several that differ, and shows none.
 fn field(ui: &mut Ui, name: &str, span: &Span<'_>, value: &mut f64, mixed: bool) -> bool {
     let before = *value;
-    let shown = if span.whole { 0 } else { decimals(before) };
+    let shown = if span.whole { 0 } else { decimals(before, span.unit) };
     let refused = Cell::new(None);
     // Of mixed values, the one that is shown may be typed to be had by all.
     let taken = Cell::new(false);
