@@ -20,6 +20,7 @@ for scene in assets/scenes/*.cloudscene; do names+=("$(basename "$scene" .clouds
 "$tools/blender/bin/python" tests/judges/blender.py "$out" "${names[@]}" | grep -v " INFO: "
 cloud=assets/scenes/single_cumulus.cloudscene
 for ending in vol vdb; do "$program" export "$cloud" -o "$out/clouds.$ending" 2>/dev/null; done
+"$program" export "$cloud" -o "$out/clouds.usda" --set volumes=yes 2>/dev/null
 "$tools/blender/bin/python" tests/judges/openvdb.py "$out/clouds.vdb"
 "$tools/mitsuba/bin/python" tests/judges/path_tracer.py "$program" "$cloud" "$out/traced" --spp 16 --width 160
 tests/judges/queue.sh "$program" "$out/queue"
