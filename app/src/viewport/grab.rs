@@ -92,9 +92,14 @@ impl Grab {
         }
     }
 
-    /// Whether pointer and keys are its own.
+    /// Whether the pointer is its own.
     pub(super) fn is_on(&self) -> bool {
         !matches!(self, Self::None)
+    }
+
+    /// Whether keys are its own. Not of one that has ended: its viewport may be out of sight before the button is let go.
+    pub(super) fn has_keys(&self) -> bool {
+        matches!(self, Self::Wanted(_) | Self::Held(_))
     }
 
     /// Whether the gesture stays open though no button is down.

@@ -217,7 +217,7 @@ impl Viewport {
 
     /// Whether keys steer a flight or a grab, and are no commands.
     pub(crate) fn has_keys(&self) -> bool {
-        self.fly_control.has_keys() || self.grab.is_on()
+        self.fly_control.has_keys() || self.grab.has_keys()
     }
 
     /// The selection follows the pointer from now on.
