@@ -41,7 +41,7 @@ pub(super) fn fields_of(
     let alone: Vec<&CloudBox> = boxes.iter().map(|(_, each)| *each).collect();
     let replace = |at: usize, each| Edit::Box(boxes[at].0, ListEdit::Replace(each));
     let keep_fill = reading.view.keep_fill;
-    let resized = |at: usize, each: CloudBox| replace(at, resized(boxes[at].1, each, keep_fill));
+    let replace_resized = |at: usize, each: CloudBox| replace(at, resized(boxes[at].1, each, keep_fill));
     // A box without a category has its model's, and one without a key is keyed by its id.
     let inherited = |each: &CloudBox, property: &Property| match property.kind {
         Kind::Category => Some(Value::Text(model.category.name().into())),
@@ -52,7 +52,7 @@ pub(super) fn fields_of(
         "Change box",
         actions,
         |fields, ui| fields.rows(ui, BOX_SHAPE),
-        resized,
+        replace_resized,
     );
     fill_fields(ui, boxes, actions);
     let placed = reading.view.selection.cloud(reading.session.scene());

@@ -25,6 +25,8 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
             let mark = if saved_at == Some(count) { icon::FLOPPY_DISK } else { " " };
             let text = if count > present { RichText::new(name).weak() } else { RichText::new(name) };
             let button = Button::selectable(count == present, (text, egui::Atom::grow(), RichText::new(mark).weak()));
+            // All lines are of one height: a long name is read whole beside the pointer.
+            let button = button.truncate();
             let response = ui.add_sized([ui.available_width(), height], button);
             name_it(ui, &response, &format!("History {count}: {name}"));
             let tip = match count.cmp(&present) {
@@ -32,7 +34,7 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
                 std::cmp::Ordering::Equal => "The present",
                 std::cmp::Ordering::Greater => "Redo up to here",
             };
-            if response.on_hover_text(tip).clicked() && count != present {
+            if response.on_hover_text(format!("{name}\n{tip}")).clicked() && count != present {
                 actions.push(Action::JumpTo(count));
             }
         }

@@ -60,6 +60,8 @@ pub(super) struct Held {
     from: Pos2,
     /// Where the pointer was last.
     last: Pos2,
+    /// The pointer has been in the picture. From a menu, it begins where the pointer comes in.
+    has_come_in: bool,
     /// How far the pointer has gone around the pivot, radians.
     around: f64,
     keep_to: KeepTo,
@@ -138,6 +140,7 @@ fn begin(grabbed: Grabbed, ui: &Ui, response: &Response, screen: &Screen, readin
         drag: Drag::new(targets),
         from: at,
         last: at,
+        has_come_in: screen.rect.contains(at),
         around: 0.0,
         keep_to: KeepTo::All,
         typed: String::new(),
@@ -153,7 +156,7 @@ impl Held {
         reading: &Reading<'_>,
         actions: &mut Vec<Action>,
     ) -> Grab {
-        let input = ui.input_mut(|input| {
+        let input = ui.input(|input| {
             self.read_keys(input);
             let done = input.pointer.primary_pressed() || input.key_pressed(Key::Enter);
             let dropped = input.key_pressed(Key::Escape) || input.pointer.button_pressed(PointerButton::Secondary);
@@ -165,6 +168,10 @@ impl Held {
             return Grab::Ended;
         }
         let at = input.at.unwrap_or(self.last);
+        if !self.has_come_in {
+            (self.from, self.last) = (at, at);
+            self.has_come_in = screen.rect.contains(at);
+        }
         if let Some(pivot) = self.pivot(screen) {
             self.around += turned_between(self.last - pivot, at - pivot);
         }

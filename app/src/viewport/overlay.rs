@@ -5,13 +5,16 @@ use crate::state::{Action, Reading, Snap, Tool, ViewChange};
 use crate::theme::{self, icon};
 use crate::widget::{name_it, number_field};
 use cloudwright_core::property::{Number, POSITION};
-use egui::{Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, RichText, Ui, UiBuilder, vec2};
+use egui::{Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, RichText, Ui, UiBuilder, Vec2, vec2};
 
 const BASE_ALTITUDE: Number =
     Number { label: "Base altitude", doc: "The altitude of the plane that the box tool draws on.", ..POSITION };
 const SNAP_STEP: Number =
     Number { label: "Snap step", unit: "m", min: 0.01, max: 1e5, doc: "What moves and sizes snap to." };
 const SNAP_ANGLE: Number = Number { label: "Snap angle", unit: "°", min: 0.1, max: 180.0, doc: "What turns snap to." };
+
+/// Of the shade around words.
+const PLATE: Vec2 = vec2(6.0, 3.0);
 
 /// Shows options and cameras in the upper corners of `rect`.
 pub(super) fn show(ui: &mut Ui, rect: Rect, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -142,7 +145,7 @@ fn at_the_foot(painter: &Painter, rect: Rect, text: &str) {
     text_on_shade(painter, at, Align2::LEFT_BOTTOM, text);
 }
 
-/// Words at a place in the picture, their upper left corner.
+/// Words at a place in the picture, their upper left corner; moved in where the rim would cut them off.
 pub(super) fn label(painter: &Painter, at: Pos2, text: &str) {
     text_on_shade(painter, at, Align2::LEFT_TOP, text);
 }
@@ -161,7 +164,7 @@ fn words_on(ui: &mut Ui, at: Pos2, align: Align2, text: &str, shade: Color32) {
     let font = FontId::proportional(theme::SMALL_TEXT);
     let size = ui.painter().layout_no_wrap(text.into(), font.clone(), theme::VIEWPORT_TEXT).size();
     let place = align.anchor_size(at, size);
-    ui.painter().rect_filled(place.expand2(vec2(6.0, 3.0)), 4.0, shade);
+    ui.painter().rect_filled(place.expand2(PLATE), 4.0, shade);
     let text = RichText::new(text).font(font).color(theme::VIEWPORT_TEXT);
     ui.put(place, Label::new(text).selectable(false).extend());
 }
@@ -169,6 +172,10 @@ fn words_on(ui: &mut Ui, at: Pos2, align: Align2, text: &str, shade: Color32) {
 fn text_on_shade(painter: &Painter, at: Pos2, align: Align2, text: &str) {
     let galley = painter.layout_no_wrap(text.into(), FontId::proportional(11.0), theme::VIEWPORT_TEXT);
     let text_rect = align.anchor_size(at, galley.size());
-    painter.rect_filled(text_rect.expand2(vec2(6.0, 3.0)), 4.0, theme::VIEWPORT_SHADE);
+    let room = painter.clip_rect().shrink2(PLATE);
+    let inwards = (room.right() - text_rect.right()).min(0.0).max(room.left() - text_rect.left());
+    let upwards = (room.bottom() - text_rect.bottom()).min(0.0).max(room.top() - text_rect.top());
+    let text_rect = text_rect.translate(vec2(inwards, upwards));
+    painter.rect_filled(text_rect.expand2(PLATE), 4.0, theme::VIEWPORT_SHADE);
     painter.galley(text_rect.min, galley, theme::VIEWPORT_TEXT);
 }

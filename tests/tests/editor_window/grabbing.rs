@@ -4,7 +4,7 @@ use crate::Window;
 use crate::tools::opened;
 use cloudwright::command::Command;
 use cloudwright::state::Item;
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, vec2};
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 
@@ -157,6 +157,18 @@ fn the_right_button_drops_it_and_nothing_else() {
     window.settle();
     assert_eq!((window.scene(), window.undo_name()), (&start, None));
     assert_eq!(window.harness.state().camera(), &camera, "nothing flew");
+}
+
+#[test]
+fn from_a_menu_it_begins_where_the_pointer_comes_in() {
+    let (mut window, _, pivot) = with_cloud();
+    let start = window.scene().clone();
+    window.hover(pos2(2.0, 2.0));
+    window.command(Command::GrabPlace);
+    window.hover(pivot);
+    assert_eq!(window.scene(), &start, "the way from the menu does not count");
+    window.hover(pivot + vec2(40.0, 0.0));
+    assert_ne!(window.scene(), &start);
 }
 
 #[test]

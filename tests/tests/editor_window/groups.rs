@@ -118,7 +118,7 @@ fn the_curve_is_dragged_for_all_that_is_selected() {
     let after = lights(&window);
     assert_eq!(after[0], GroupLight { c_med: after[0].c_med, ..before[0] }, "only what was dragged");
     assert_eq!(after[0].c_med, after[1].c_med);
-    window.was_told("");
+    window.was_told("Across of 2 boxes to ");
     let dragged_to = window.node(Role::Slider, "Across").rect().center();
     assert!((dragged_to.y - (dot.y - 20.0)).abs() < 1.0, "the dot stays under the pointer");
     window.command(Command::Undo);
