@@ -7,12 +7,13 @@ mod known;
 
 use super::failure::Failure;
 use super::progress::Progress;
-use super::{answer, arguments, input, picture, say};
+use super::{answer, arguments, input, say};
 use crate::chart::charted::Charted;
 use crate::chart::report::Report;
 use crate::chart::run::Run;
 use crate::chart::subject::Subject;
 use crate::chart::{choice, front, html, report, text};
+use crate::rendering::check_memory;
 use crate::storage::{self, Folder};
 use crate::units::time_of_day;
 use crate::{opening, visible};
@@ -86,7 +87,7 @@ Methods:\n"
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
-    picture::check_memory(arguments.size, 2, 1)?;
+    check_memory(arguments.size, 2, 1)?;
     let (scene, beside) = opening::open(&arguments.scene)?;
     let (camera, path) = eye(&scene, arguments)?;
     let derived = Derived::new(&scene);

@@ -1,7 +1,9 @@
 //! What ends a subcommand early, and with which exit code.
 
+use super::counted;
 use crate::opening::{self, OpenError};
 use crate::renderer::RenderError;
+use crate::rendering::{NoPicture, TooManySamples};
 use crate::storage::StorageError;
 
 /// `check` found something.
@@ -62,6 +64,30 @@ impl Failure {
             | Self::CouldNot { .. }
             | Self::Stdout(_) => COULD_NOT,
             Self::Told(code) => *code,
+        }
+    }
+}
+
+impl From<TooManySamples> for Failure {
+    fn from(TooManySamples { width, height, each, millions, most }: TooManySamples) -> Self {
+        let each = counted(each as usize, "sample", "samples");
+        Self::argument(
+            format!("--size {width}x{height} with {each} a pixel is {millions} million samples"),
+            format!("stay within {most} million: lower --size or --samples"),
+        )
+    }
+}
+
+impl From<NoPicture> for Failure {
+    fn from(error: NoPicture) -> Self {
+        match error {
+            NoPicture::Render(error) => error.into(),
+            NoPicture::TooManySamples(error) => error.into(),
+            NoPicture::TooLarge(why) => {
+                Self::could_not(format!("the picture can't be packed: {why}"), "try a smaller --size")
+            }
+            NoPicture::NoLayers => Self::could_not(error.to_string(), "report this"),
+            NoPicture::Stopped => Self::stopped(),
         }
     }
 }

@@ -8,10 +8,11 @@ mod frames;
 mod video;
 
 use super::failure::Failure;
-use super::painter::{Painter, PainterArguments};
-use super::picture::{self, Kind, Said};
+use super::painter::PainterArguments;
 use super::progress::Progress;
 use super::{arguments, input, say};
+use crate::picture_kind::PictureKind;
+use crate::rendering::{IN_LAYERS, Said, check_memory, draw};
 use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
@@ -65,8 +66,8 @@ pub(super) struct Arguments {
     #[arg(long, value_name = "WxH", default_value = "1280x720", value_parser = arguments::picture_size)]
     size: [u32; 2],
     /// What each frame is written as
-    #[arg(long, value_enum, default_value_t = Kind::Png)]
-    format: Kind,
+    #[arg(long, value_enum, default_value_t = PictureKind::Png)]
+    format: PictureKind,
     /// Write the layers for compositing too, into OpenEXR files
     #[arg(long)]
     layers: bool,
@@ -92,22 +93,18 @@ enum SortingChoice {
 pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let is_video = video::is_name(&arguments.output);
     let kind = arguments.format;
-    if is_video && kind != Kind::Png {
+    if is_video && kind != PictureKind::Png {
         let what = format!("--format {}: a video is made of PNG frames", kind.ending());
         return Err(Failure::argument(what, "leave it out, or write the frames to a folder"));
     }
-    let painting = if arguments.layers { kind.layered(&arguments.painter)? } else { arguments.painter.clone() };
+    let painting = if arguments.layers { arguments.painter.in_layers(kind)? } else { arguments.painter.clone() };
     let mut rules = painting.rules()?;
     match arguments.sorting {
         Some(SortingChoice::EachFrame) => rules.sorting = Sorting::EachFrame,
         Some(SortingChoice::Crossfade) => rules.sorting = Sorting::Crossfade,
         None => {}
     }
-    picture::check_memory(
-        arguments.size,
-        rules.pixels_a_pixel(),
-        if arguments.layers { picture::IN_LAYERS } else { 1 },
-    )?;
+    check_memory(arguments.size, rules.pixels_a_pixel(), if arguments.layers { IN_LAYERS } else { 1 })?;
     if is_video {
         video::check_size(arguments.size)?;
     }
@@ -134,7 +131,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let _folder = frames.make_folder()?;
 
     let derived = Derived::new(&scene);
-    let mut painter = Painter::new(&painting, rules)?;
+    let mut painter = painting.painter(rules)?;
     let progress = Progress::start("flying");
     let mut kept = 0;
     for (done, number) in numbers.clone().enumerate() {
@@ -157,7 +154,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         let sight = Sight { history, ..sight_at(&camera, clock_s) };
         let frame = Frame::new(&scene, &derived, beside.sheet(), &sight);
         let said = Said { frames_a_second: Some(arguments.fps), ..Said::new(&scene.name, eye.name(), clock_s, &frame) };
-        let bytes = kind.draw(&mut painter, (frame, later.as_ref()), &said, &Watch::default())?;
+        let bytes = draw(kind, &mut painter, (frame, later.as_ref()), &said, &Watch::default())?;
         storage::write_one_of_many(&frames.file(number), &bytes)?;
     }
     drop(progress);

@@ -18,7 +18,6 @@ mod input;
 mod misspelt;
 mod new;
 mod painter;
-mod picture;
 mod plugins;
 mod progress;
 mod render;

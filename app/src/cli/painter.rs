@@ -1,16 +1,13 @@
-//! What draws the pictures of one run: what may be asked for, and a renderer that tells what it is and gives way to the CPU
-//! where the choice was left to us.
+//! What may be asked of what draws pictures, on the command line.
 
 use super::failure::Failure;
 use super::{arguments, say};
-use crate::renderer::{RenderError, Renderer, RendererChoice};
-use cloudwright_core::draw;
-use cloudwright_core::frame::Frame;
-use cloudwright_core::image::{Layers, LinearPicture, Picture};
+use crate::picture_kind::PictureKind;
+use crate::renderer::{RenderError, RendererChoice};
+use crate::rendering::{self, Painter, Painting};
 use cloudwright_core::method::{self, Method};
-use cloudwright_core::raster::layers::Later;
 use cloudwright_core::rules::{Rasterizer, Rules};
-use cloudwright_core::watch::Watch;
+use std::path::Path;
 
 /// What may be asked for. A method says what draws and how; `--samples` goes before its own.
 #[derive(Debug, Clone, clap::Args)]
@@ -29,20 +26,10 @@ pub(super) struct PainterArguments {
     side: Option<u32>,
 }
 
-/// Draws the frames of one run.
-pub(super) struct Painter {
-    /// By which frames are to be made.
-    pub(super) rules: Rules,
-    renderer: Renderer,
-    /// Whether the CPU may draw what the renderer can't.
-    gives_way: bool,
-    /// Whether it has been said that the CPU leaves models out.
-    has_told: bool,
-}
-
 impl PainterArguments {
-    fn method(&self) -> Option<&'static Method> {
-        if self.truth { Some(method::truth()) } else { self.method }
+    fn painting(&self) -> Painting {
+        let method = if self.truth { Some(method::truth()) } else { self.method };
+        Painting { renderer: self.renderer, method, side: self.side }
     }
 
     /// The same, for what only the CPU does: `what` asks for it.
@@ -60,14 +47,30 @@ impl PainterArguments {
         Ok(Self { renderer: RendererChoice::Cpu, ..self.clone() })
     }
 
+    /// The same, for a file of that kind with layers.
+    ///
+    /// # Errors
+    /// If the kind holds none, or what is asked for draws none.
+    pub(super) fn in_layers(&self, kind: PictureKind) -> Result<Self, Failure> {
+        if kind != PictureKind::Exr {
+            let what = format!("--layers: a .{} file has none", kind.ending());
+            return Err(Failure::argument(what, "write OpenEXR: a name in .exr, or fly --format exr"));
+        }
+        let painter = self.in_software("--layers")?;
+        if matches!(painter.rules()?.rasterizer, Rasterizer::Fast { .. }) {
+            return Ok(painter);
+        }
+        Err(Failure::argument("--layers: this method keeps none", "leave --truth or --method out"))
+    }
+
     /// What is asked for, as the CPU would do it unless a method says otherwise.
     ///
     /// # Errors
     /// If a method and a renderer are asked for that don't go together.
     pub(super) fn rules(&self) -> Result<Rules, Failure> {
-        let rules = self.method().map_or(Rules::SHIPPED, |method| method.rules);
-        let rules = Rules { samples_side: self.side.unwrap_or(rules.samples_side), ..rules };
-        let Some(method) = self.method() else { return Ok(rules) };
+        let painting = self.painting();
+        let rules = painting.rules();
+        let Some(method) = painting.method else { return Ok(rules) };
         let asked = if self.truth { "--truth".into() } else { format!("--method {}", method.name) };
         let (runs, other) = match (rules.rasterizer, self.renderer) {
             (Rasterizer::Gpu, RendererChoice::Cpu) => ("on a GPU", "cpu"),
@@ -76,65 +79,17 @@ impl PainterArguments {
         };
         Err(Failure::argument(format!("{asked} runs {runs}"), format!("leave --renderer {other} or {asked} out")))
     }
+
+    /// The renderer that is asked for, by name on the terminal; it draws by `rules`, which come from [`Self::rules`].
+    pub(super) fn painter(&self, rules: Rules) -> Result<Painter<'static>, RenderError> {
+        Painter::new(&self.painting(), rules, &say)
+    }
 }
 
-impl Painter {
-    /// The renderer that `arguments` ask for, by name on the terminal; it draws by `rules`, which come from them.
-    pub(super) fn new(arguments: &PainterArguments, mut rules: Rules) -> Result<Self, RenderError> {
-        let method = arguments.method();
-        let renderer = match method {
-            None => Renderer::new(arguments.renderer)?,
-            Some(_) if rules.rasterizer == Rasterizer::Gpu => Renderer::new(RendererChoice::Gpu)?,
-            Some(_) => Renderer::default(),
-        };
-        let name = renderer.name();
-        match method {
-            None => {
-                rules.rasterizer = renderer.rules().rasterizer;
-                say(&format!("renderer: {name}"));
-            }
-            Some(method) => {
-                let samples = rules.samples_side * rules.samples_side;
-                let unit = if samples == 1 { "sample" } else { "samples" };
-                say(&format!("renderer: {name}, {} with {samples} {unit} a pixel", method.name));
-            }
-        }
-        let gives_way = method.is_none() && arguments.renderer == RendererChoice::Auto;
-        Ok(Self { rules, renderer, gives_way, has_told: false })
-    }
-
-    /// The picture of `frame`, which was made by the painter's rules. The truth tells `watch` how far it is.
-    pub(super) fn picture(&mut self, frame: Frame<'_>, watch: &Watch) -> Result<Picture, RenderError> {
-        self.draw(frame, |renderer, frame| renderer.picture(frame, watch))
-    }
-
-    /// As [`Painter::picture`], in linear light.
-    pub(super) fn linear(&mut self, frame: Frame<'_>, watch: &Watch) -> Result<LinearPicture, RenderError> {
-        self.draw(frame, |renderer, frame| renderer.linear(frame, watch))
-    }
-
-    /// As [`Painter::picture`], in layers; none by rules that keep none ([`PainterArguments::in_software`]).
-    pub(super) fn layers(&mut self, frame: Frame<'_>, later: &Later<'_>) -> Result<Option<Layers>, RenderError> {
-        self.draw(frame, |_, frame| Ok(draw::layers(frame, later)))
-    }
-
-    fn draw<T>(
-        &mut self,
-        mut frame: Frame<'_>,
-        draw: impl Fn(&mut Renderer, &Frame<'_>) -> Result<T, RenderError>,
-    ) -> Result<T, RenderError> {
-        if frame.rules.rasterizer == Rasterizer::Gpu {
-            match draw(&mut self.renderer, &frame) {
-                Err(error) if self.gives_way => say(&format!("renderer: CPU, because {error}")),
-                done => return done,
-            }
-            self.rules.rasterizer = Rules::SHIPPED.rasterizer;
-            frame.rules = self.rules;
-        }
-        if !frame.models.is_empty() && !self.has_told {
-            say("aircraft and props are left out: only a GPU draws them");
-            self.has_told = true;
-        }
-        draw(&mut self.renderer, &frame)
-    }
+/// The kind of file that the ending of `output` says.
+pub(super) fn kind_of(output: &Path) -> Result<PictureKind, Failure> {
+    rendering::kind_of(output).ok_or_else(|| {
+        let what = format!("--output {}: a picture is written as PNG, OpenEXR or Radiance HDR", output.display());
+        Failure::argument(what, "end its name in .png, .exr or .hdr")
+    })
 }

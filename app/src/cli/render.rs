@@ -3,22 +3,16 @@
 mod panorama;
 
 use super::failure::Failure;
-use super::painter::{Painter, PainterArguments};
-use super::picture::{self, Kind, Said};
+use super::painter::{self, PainterArguments};
 use super::progress::Progress;
 use super::{arguments, input};
+use crate::rendering::{IN_LAYERS, Still, StillEye, check_memory};
 use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
-use cloudwright_core::frame::Frame;
-use cloudwright_core::raster::layers::Later;
-use cloudwright_core::sight::Sight;
 use cloudwright_core::weather::Moment;
 use panorama::Projection;
 use std::path::PathBuf;
-
-/// How long a still's picture is taken to last: motion is what happens within it.
-const STILL_S: f64 = 1.0 / 24.0;
 
 #[derive(Debug, clap::Args)]
 #[command(after_help = "Examples:
@@ -69,28 +63,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
         return panorama::run(arguments, projection);
     }
     let size = arguments.size.unwrap_or([1280, 720]);
-    let kind = Kind::of(&arguments.output)?;
-    let painting = if arguments.layers { kind.layered(&arguments.painter)? } else { arguments.painter.clone() };
+    let kind = painter::kind_of(&arguments.output)?;
+    let painting = if arguments.layers { arguments.painter.in_layers(kind)? } else { arguments.painter.clone() };
     let rules = painting.rules()?;
     let (scene, beside) = opening::open(&arguments.scene)?;
     let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
     input::check_output(&scene, &arguments.scene, &arguments.output)?;
-    picture::check_memory(size, rules.pixels_a_pixel(), if arguments.layers { picture::IN_LAYERS } else { 1 })?;
+    check_memory(size, rules.pixels_a_pixel(), if arguments.layers { IN_LAYERS } else { 1 })?;
     let derived = Derived::new(&scene);
-    let mut painter = Painter::new(&painting, rules)?;
-    let sight_at = |clock_s: f64, time_h| Sight {
-        moment: Moment { clock_s, time_h },
-        meshes: beside.meshes().clone(),
-        rules: painter.rules,
-        ..Sight::still(&derived.timeline().camera_at(camera, clock_s), size)
-    };
-    let sight = sight_at(arguments.at, arguments.time);
-    let later =
-        arguments.layers.then(|| Later::new(&scene, &derived, &sight_at(arguments.at + STILL_S, arguments.time)));
+    let mut painter = painting.painter(rules)?;
+    let moment = Moment { clock_s: arguments.at, time_h: arguments.time };
+    let eye = StillEye::Saved(camera);
+    let still = Still { scene: &scene, derived: &derived, beside: &beside, eye, moment, size };
     let progress = Progress::start("rendering");
-    let frame = Frame::new(&scene, &derived, beside.sheet(), &sight);
-    let said = Said::new(&scene.name, &camera.name, arguments.at, &frame);
-    let bytes = kind.draw(&mut painter, (frame, later.as_ref()), &said, progress.watch())?;
+    let bytes = still.file(&mut painter, kind, arguments.layers, progress.watch())?;
     drop(progress);
     storage::write_atomic(&arguments.output, &bytes)?;
     Ok(())

@@ -85,11 +85,11 @@ const APP: [&[&str]; 12] = [
     &["state"],
     &["exchange"],
     &["reports"],
-    &["saving"],
+    &["rendering", "saving"],
     &["opening", "plugins", "signals"],
     &["chart", "storage", "thumbnail"],
     &["command"],
-    &["picture_hdr", "picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
+    &["picture_hdr", "picture_kind", "picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
 ];
 
 /// The rooms of core from above, in the same way.

@@ -2,8 +2,8 @@
 
 use crate::cli::counted;
 use crate::cli::failure::Failure;
-use crate::cli::picture::Kind;
 use crate::picture_hdr;
+use crate::picture_kind::PictureKind;
 use crate::storage::{self, Folder, StorageError};
 use cloudwright_core::formats::picture_exr;
 use cloudwright_core::scene::{Camera, Scene, Thing};
@@ -19,7 +19,7 @@ pub(super) struct Frames {
     pub(super) folder: PathBuf,
     /// Of path or camera, fit for a file's name, and no other's of the scene.
     pub(super) name: String,
-    pub(super) kind: Kind,
+    pub(super) kind: PictureKind,
     pub(super) in_layers: bool,
     /// Width and height, pixels.
     pub(super) size: [u32; 2],
@@ -55,9 +55,9 @@ impl Frames {
     /// Whether the frame is there to its last byte, in this size.
     pub(super) fn is_whole(&self, number: u32) -> bool {
         storage::read(&self.file(number), MAX_FRAME_BYTES).is_ok_and(|bytes| match self.kind {
-            Kind::Png => is_whole_png(&bytes, self.size),
-            Kind::Exr => picture_exr::is_whole(&bytes, self.size, self.in_layers),
-            Kind::Hdr => picture_hdr::is_whole(&bytes, self.size),
+            PictureKind::Png => is_whole_png(&bytes, self.size),
+            PictureKind::Exr => picture_exr::is_whole(&bytes, self.size, self.in_layers),
+            PictureKind::Hdr => picture_hdr::is_whole(&bytes, self.size),
         })
     }
 }

@@ -3,10 +3,10 @@
 use super::Arguments;
 use crate::cli::failure::Failure;
 use crate::cli::input;
-use crate::cli::painter::Painter;
-use crate::cli::picture::{self, Kind, Said};
+use crate::cli::painter::kind_of;
 use crate::cli::progress::Progress;
 use crate::opening;
+use crate::rendering::{Said, check_memory, pack};
 use crate::storage::{Over, Together};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::formats::picture_exr::{About, Eye};
@@ -62,19 +62,19 @@ impl Projection {
 }
 
 pub(super) fn run(arguments: &Arguments, projection: Projection) -> Result<(), Failure> {
-    let kind = Kind::of(&arguments.output)?;
+    let kind = kind_of(&arguments.output)?;
     let size = arguments.size.unwrap_or(projection.usual_size());
     projection.check_size(size)?;
     let painting = arguments.painter.in_software("--panorama")?;
     let rules = painting.rules()?;
-    picture::check_memory(size, rules.pixels_a_pixel(), projection.weight())?;
+    check_memory(size, rules.pixels_a_pixel(), projection.weight())?;
     let side = projection.side(size);
     let (scene, beside) = opening::open(&arguments.scene)?;
     let camera = input::camera(&scene, &arguments.scene, arguments.camera.as_deref())?;
     let outputs = outputs(&arguments.output, projection);
     outputs.iter().try_for_each(|output| input::check_output(&scene, &arguments.scene, output))?;
     let derived = Derived::new(&scene);
-    let mut painter = Painter::new(&painting, rules)?;
+    let mut painter = painting.painter(rules)?;
     let looking = derived.timeline().camera_at(camera, arguments.at);
     let mut sight = Sight {
         moment: Moment { clock_s: arguments.at, time_h: arguments.time },
@@ -101,20 +101,20 @@ pub(super) fn run(arguments: &Arguments, projection: Projection) -> Result<(), F
         progress.set(done as f32 / Side::ALL.len() as f32);
         Ok((view, side))
     };
-    let pack = |picture: &LinearPicture, eye: Eye<'_>| {
-        kind.pack(picture, exposure, &About { comment: &said.comment, eye, frames_a_second: None })
+    let file = |picture: &LinearPicture, eye: Eye<'_>| {
+        pack(kind, picture, exposure, &About { comment: &said.comment, eye, frames_a_second: None })
     };
     let mut files = Together::default();
     let mut add = |output: &Path, bytes: &[u8]| files.add(output, Over::Anything, |sink| sink.write_all(bytes));
     match projection {
         Projection::Equirect => {
             let all = Surroundings::for_map(size[0], &looking, |facet, _| draw(facet).map(|(_, side)| side))?;
-            add(&arguments.output, &pack(&all.map(size[0]), Eye::AllAround)?)?;
+            add(&arguments.output, &file(&all.map(size[0]), Eye::AllAround)?)?;
         }
         Projection::Cube => {
             for (side, output) in Side::ALL.into_iter().zip(&outputs) {
                 let (view, picture) = draw(Facet { side, margin: 0 })?;
-                add(output, &pack(&picture, Eye::Camera(&view))?)?;
+                add(output, &file(&picture, Eye::Camera(&view))?)?;
             }
         }
     }
