@@ -141,6 +141,7 @@ commands! {
         Revert: "Revert…", "Go back to the scene as it was last saved.", NONE, None;
         Import: "Import…", "Bring in what another program made: clouds, weather, or a whole scene.", ctrl(Key::I), None;
         Export: "Export…", "Write the scene for another program: glTF, clouds of flight simulators, weather presets, tables.", ctrl(Key::E), None;
+        RenderPicture: "Render picture…", "Draw the scene into a picture file: PNG, OpenEXR or Radiance HDR.", key(Key::F12), None;
         Quit: "Quit", "Close the editor.", ctrl(Key::Q), None;
     }
     Edit {
@@ -159,6 +160,7 @@ commands! {
         Reroll: "Re-roll", "Strew the selected cloud's or model's sprites anew, with another seed.", key(Key::K), Some(icon::DICE_FIVE);
         FitSprites: "Fit sprites to box", "Give the selected boxes as many and as large sprites as fill them.", NONE, None;
         ResetSprites: "Reset sprites", "Take back what was changed by hand about the selected sprites or boxes.", NONE, None;
+        CopyPicture: "Copy picture", "Put what the view shows onto the clipboard, as an image.", NONE, None;
         Delete: "Delete", "Take the selection out of the scene.", key(Key::Delete), Some(icon::TRASH);
     }
     Add {

@@ -124,6 +124,7 @@ impl Editor {
             Ask::SaveScript(_) => self.save_script_under(&path, asked_already),
             Ask::Export(_) => self.export_to(&path, asked_already),
             Ask::Leave(_) => self.leave_to(&path, asked_already, context),
+            Ask::Picture(_) => self.render_to(&path, asked_already, context),
             Ask::Arrive => self.ask_arriving(&path),
             Ask::Model(item, _) => self.use_model(*item, &path),
         }

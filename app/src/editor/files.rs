@@ -5,6 +5,7 @@
 
 use crate::plugins;
 use crate::state::Item;
+use crate::storage::Over;
 use cloudwright_core::exchange::FORMATS;
 use cloudwright_core::formats::scene_file::EXTENSION;
 use std::path::{Path, PathBuf};
@@ -24,6 +25,8 @@ pub enum Ask {
     Export(PathBuf),
     /// Of a file of another program's to write, with the name to start from.
     Leave(PathBuf),
+    /// Of a picture to draw into, with the name to start from.
+    Picture(PathBuf),
     /// Of a file of another program's to read.
     Arrive,
     /// Of the model of that aircraft or prop, which lies beside the scene's file.
@@ -68,21 +71,28 @@ impl FileDialogs for NativeDialogs {
                 endings.dedup();
                 dialog.add_filter("What other programs make", &endings)
             }
-            Ask::Export(start) | Ask::Leave(start) => match start.extension().and_then(|ending| ending.to_str()) {
-                Some(ending) => dialog.add_filter(format!("{} files", ending.to_uppercase()), &[ending]),
-                None => dialog,
-            },
+            Ask::Export(start) | Ask::Leave(start) | Ask::Picture(start) => {
+                match start.extension().and_then(|ending| ending.to_str()) {
+                    Some(ending) => dialog.add_filter(format!("{} files", ending.to_uppercase()), &[ending]),
+                    None => dialog,
+                }
+            }
         };
         let asked = Instant::now();
         // Made on this thread, as macOS wants it, and waited for on another.
         let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
             Ask::Open => Box::pin(dialog.set_title("Open scene").pick_file()),
             Ask::Arrive => Box::pin(dialog.set_title("Import").pick_file()),
-            Ask::Save(start) | Ask::Export(start) | Ask::Leave(start) | Ask::SaveScript(start) => {
+            Ask::Save(start)
+            | Ask::Export(start)
+            | Ask::Leave(start)
+            | Ask::Picture(start)
+            | Ask::SaveScript(start) => {
                 let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let title = match ask {
                     Ask::Export(_) | Ask::Leave(_) => "Export as",
                     Ask::SaveScript(_) => "Save script as",
+                    Ask::Picture(_) => "Render picture to",
                     _ => "Save scene as",
                 };
                 let dialog = dialog.set_title(title).set_file_name(name);
@@ -139,4 +149,10 @@ impl Waiting {
 /// `path` with the ending of scene files, unless it has one.
 pub(crate) fn with_extension(path: PathBuf) -> PathBuf {
     if path.extension().is_some() { path } else { path.with_extension(EXTENSION) }
+}
+
+/// What may be replaced at `to`, for a name that was `given`. Who chose it in a native dialog was asked there about a file
+/// that has it, and so about those beside it.
+pub(crate) fn over(given: &Path, to: &Path, asked_already: bool) -> Over {
+    if asked_already && to == given && to.exists() { Over::Anything } else { Over::Nothing }
 }

@@ -19,8 +19,10 @@ mod on_disk;
 mod perform;
 mod place_many;
 mod plugins;
+mod progress;
 mod recording;
 mod remember;
+mod rendering;
 mod save_flow;
 mod script;
 mod thinning;
@@ -53,6 +55,7 @@ use layout::Layout;
 use place_many::PlaceMany;
 use plugins::Plugins;
 use recording::Recording;
+use rendering::{Copying, Rendering};
 use script::Writing;
 use std::cell::RefCell;
 use std::path::PathBuf;
@@ -75,6 +78,10 @@ pub struct Editor {
     weather: WeatherReport,
     leaving: Leaving,
     arriving: Arriving,
+    rendering: Rendering,
+    copying: Copying,
+    /// What draws pictures, as it was asked for.
+    renderer: RendererChoice,
     time_play: TimePlay,
     clock: Clock,
     charting: Charting,
@@ -131,6 +138,9 @@ impl Editor {
             weather: WeatherReport::default(),
             leaving: Leaving::default(),
             arriving: Arriving::default(),
+            rendering: Rendering::default(),
+            copying: Copying::default(),
+            renderer,
             time_play: TimePlay::default(),
             clock: Clock::default(),
             charting: Charting::default(),
@@ -193,7 +203,7 @@ impl Editor {
     /// Whether something before the window waits for an answer.
     fn is_asking(&self) -> bool {
         let asks = self.palette.is_some() || self.place_many.is_some() || self.thinning.is_some();
-        let exchanges = self.leaving.is_asking() || self.arriving.is_asking();
+        let exchanges = self.leaving.is_asking() || self.arriving.is_asking() || self.rendering.is_asking();
         asks || exchanges || self.asks_by_showing() || self.dialogs.is_open()
     }
 
@@ -349,6 +359,8 @@ impl eframe::App for Editor {
         self.show_weather_report(&context);
         self.show_leaving(&context);
         self.show_arriving(&context);
+        self.show_rendering(&context);
+        self.keep_copying(&context);
         self.show_plugin(&context);
         self.show_last_run(&context);
         self.toasts.show(&context);

@@ -37,6 +37,7 @@ mod targets;
 mod wireframe;
 
 pub(crate) use grab::Grabbed;
+pub(crate) use picture::image;
 
 use crate::renderer::RendererChoice;
 use crate::state::{Action, Choose, Item, Reading, Selection, Session, Tool, ViewChange};
@@ -82,6 +83,8 @@ pub(crate) struct Viewport {
     box_tool: BoxTool,
     /// Width by height.
     aspect: f32,
+    /// What was shown last.
+    sight: Option<Sight>,
 }
 
 impl Viewport {
@@ -106,6 +109,7 @@ impl Viewport {
             faces: Faces::default(),
             box_tool: BoxTool::default(),
             aspect: 16.0 / 9.0,
+            sight: None,
         };
         viewport.see(session);
         viewport
@@ -178,6 +182,11 @@ impl Viewport {
     /// The camera of the view.
     pub(crate) fn camera(&self) -> &Camera {
         self.navigation.camera()
+    }
+
+    /// What was shown last, at its full size; nothing before the first frame.
+    pub(crate) fn sight(&self) -> Option<&Sight> {
+        self.sight.as_ref()
     }
 
     /// The point that the view turns about: new things come here.
@@ -310,7 +319,9 @@ impl Viewport {
             .filter(|_| path_view.is_some())
             .and_then(|on_board| session.scene().path(on_board.path));
         let place = ViewAt { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
-        self.canvas.show(ui, painter, response.rect, &place, quick, reading)
+        let sight = self.canvas.show(ui, painter, response.rect, &place, quick, reading);
+        self.sight = Some(sight.clone());
+        sight
     }
 
     /// The tools: who gets the primary button is decided when it goes down.

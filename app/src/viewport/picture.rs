@@ -141,7 +141,7 @@ impl PictureSource {
 }
 
 /// For egui.
-pub(super) fn image(picture: &Picture) -> ColorImage {
+pub(crate) fn image(picture: &Picture) -> ColorImage {
     let size = [picture.width as usize, picture.height as usize];
     ColorImage::new(size, picture.pixels.iter().map(|&[r, g, b, _]| Color32::from_rgb(r, g, b)).collect())
 }

@@ -22,6 +22,7 @@ mod off_frame;
 mod on_disk;
 mod paths_in_view;
 mod picture_choice;
+mod picturing;
 mod plugin_fields;
 mod plugins;
 mod recovery;

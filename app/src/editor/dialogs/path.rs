@@ -13,6 +13,7 @@ pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Opti
         Ask::Save(_) => ("Save scene as", "Save"),
         Ask::SaveScript(_) => ("Save script as", "Save"),
         Ask::Export(_) | Ask::Leave(_) => ("Export as", "Export"),
+        Ask::Picture(_) => ("Render picture to", "Render"),
         Ask::Arrive => ("Import", "Import"),
         Ask::Model(..) => ("Choose model", "Choose"),
     };

@@ -1,8 +1,8 @@
 //! *Import…*: what another program made, into the scene; a whole scene in its place.
 
-use super::Progress;
 use crate::editor::Editor;
 use crate::editor::intent::Intent;
+use crate::editor::progress::Progress;
 use crate::exchange::{CameIn, ComeInError, Placing, ReadError, called, choose, come_in, read};
 use crate::panel::{self, ArrivingForm, ExchangeAnswer};
 use crate::reports::{MOST_TIME, MakeError, words};

@@ -1,11 +1,11 @@
 //! *Export…*: a scene for other programs.
 
-use super::Progress;
+use crate::editor::files::over;
+use crate::editor::progress::Progress;
 use crate::editor::{Ask, Editor};
 use crate::exchange::{LeaveError, Left, Order, Subject, leave};
 use crate::opening::Beside;
 use crate::panel::{self, ExchangeAnswer, LeavingChosen, LeavingForm};
-use crate::storage::Over;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
 use cloudwright_core::exchange::ExportError;
@@ -110,8 +110,7 @@ impl Editor {
         let chosen = &self.leaving.chosen;
         let ending = chosen.format.endings[0];
         let to = if given.extension().is_some() { given.to_path_buf() } else { given.with_extension(ending) };
-        // Who chose the name in a native dialog was asked there about a file that has it, and so about those beside it.
-        let over = if asked_already && to == given && to.exists() { Over::Anything } else { Over::Nothing };
+        let over = over(given, &to, asked_already);
         let scene = self.session.scene();
         let clock_s = self.clock.time_s();
         let camera = chosen.has_corners().then(|| match chosen.camera.and_then(|id| scene.cameras.with_id(id)) {

@@ -183,6 +183,8 @@ impl Editor {
             Command::Open => self.ask(Ask::Open, context),
             Command::Import => self.ask(Ask::Arrive, context),
             Command::Export => self.ask_leaving(),
+            Command::RenderPicture => self.ask_rendering(),
+            Command::CopyPicture => self.copy_picture(context),
             Command::OpenRecent => self.list_recent(context),
             Command::Save => self.save(context),
             Command::SaveAs => self.save_as(context),

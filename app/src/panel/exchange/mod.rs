@@ -33,7 +33,7 @@ pub(crate) enum Stage<'a> {
 }
 
 /// Asks, with what `add` adds while it is chosen; `go` is what begins it, if it can.
-fn ask(
+pub(super) fn ask(
     context: &Context,
     (title, go): (&str, &str),
     stage: Stage<'_>,
@@ -149,6 +149,6 @@ fn words(name: &str) -> String {
     words
 }
 
-fn grid(ui: &mut Ui, id: &str, rows: impl FnOnce(&mut Ui)) {
+pub(super) fn grid(ui: &mut Ui, id: &str, rows: impl FnOnce(&mut Ui)) {
     Grid::new(id).num_columns(2).min_col_width(theme::NAME_WIDTH).show(ui, rows);
 }
