@@ -8,6 +8,11 @@ use serde::{Deserialize, Serialize};
 /// Between thousands: a narrow space that no line is broken at.
 const THIN_SPACE: char = '\u{202F}';
 
+/// So many of what is called `one` or `many`.
+pub fn counted(count: usize, one: &str, many: &str) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
+}
+
 /// What altitudes and speeds are shown in.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

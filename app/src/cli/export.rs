@@ -119,7 +119,7 @@ fn failure(arguments: &Arguments, error: LeaveError) -> Failure {
             let what = format!("--output: {} would be written, and that is {what}", path.display());
             Failure::argument(what, "choose another name; it would be lost")
         }
-        LeaveError::Save(error) => input::save_failure(error),
+        LeaveError::Save(error) => error.into(),
         LeaveError::Export(ExportError::Cancelled) => Failure::stopped(),
         LeaveError::Export(error @ ExportError::Nothing(_)) => {
             Failure::argument(format!("{scene}: {error}"), "there is nothing to export")

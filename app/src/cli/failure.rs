@@ -1,10 +1,11 @@
 //! What ends a subcommand early, and with which exit code.
 
-use super::counted;
 use crate::opening::{self, OpenError};
 use crate::renderer::RenderError;
-use crate::rendering::{NoPicture, TooManySamples};
+use crate::rendering::{NoFlight, NoPicture, TooManySamples};
+use crate::saving::SaveError;
 use crate::storage::StorageError;
+use crate::units::counted;
 
 /// `check` found something.
 pub(super) const PROBLEMS_FOUND: u8 = 1;
@@ -88,6 +89,53 @@ impl From<NoPicture> for Failure {
             }
             NoPicture::NoLayers => Self::could_not(error.to_string(), "report this"),
             NoPicture::Stopped => Self::stopped(),
+        }
+    }
+}
+
+impl From<SaveError> for Failure {
+    fn from(error: SaveError) -> Self {
+        match error {
+            SaveError::Storage(error @ StorageError::InTheWay { .. }) => {
+                Self::argument(error.to_string(), "choose another name, or --force")
+            }
+            SaveError::Storage(error) => error.into(),
+            SaveError::Text(_) => Self::could_not(error.to_string(), "report this"),
+            SaveError::Another { .. } => Self::argument(error.to_string(), "choose another folder"),
+            SaveError::InUse { .. } | SaveError::NoScene { .. } => {
+                Self::argument(error.to_string(), "choose another name")
+            }
+        }
+    }
+}
+
+impl From<NoFlight> for Failure {
+    fn from(error: NoFlight) -> Self {
+        match error {
+            NoFlight::Picture(error) => error.into(),
+            NoFlight::Storage(error) => error.into(),
+            NoFlight::Save(SaveError::InUse { path, what }) => {
+                let what = format!("--output {}: that is {what}", path.display());
+                Self::argument(what, "choose another name; it would be lost")
+            }
+            NoFlight::Save(error) => error.into(),
+            NoFlight::TooMany(frames) => {
+                Self::argument(format!("there are {frames} frames"), "lower --fps, or shorten the path or --seconds")
+            }
+            NoFlight::NotAll { asked, count } => {
+                let (is, frames) = (if count == 1 { "is" } else { "are" }, counted(count as usize, "frame", "frames"));
+                let what = format!("--frames {}..{}: at this --fps there {is} {frames}", asked.start, asked.end);
+                Self::argument(what, format!("stay within 0..{count}"))
+            }
+            NoFlight::OddSize(width, height) => {
+                let what = format!("--size {width}x{height}: a video can't be of odd width or height");
+                Self::argument(what, "use even numbers, or write the frames to a folder")
+            }
+            NoFlight::NoEye => Self::could_not(error.to_string(), "report this"),
+            NoFlight::Taken(..) => Self::argument(error.to_string(), "say --anew"),
+            NoFlight::NoVideo { output, trouble, by_hand } => {
+                Self::could_not(format!("{}: no video: {trouble}", output.display()), by_hand)
+            }
         }
     }
 }

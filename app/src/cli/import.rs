@@ -5,11 +5,12 @@ use super::failure::Failure;
 use super::progress::Progress;
 use super::run::failure as plugin_failure;
 use super::weather::layer_line;
-use super::{answer, counted, info, input, say};
+use super::{answer, info, input, say};
 use crate::exchange::{CameIn, ChooseError, ComeInError, Placing, ReadError, called, choose, come_in, read};
 use crate::reports::{MOST_TIME, MakeError};
 use crate::state::empty_sky;
 use crate::storage::FileId;
+use crate::units::counted;
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
 use cloudwright_core::exchange::{Arrived, ArrivedModel, Content, Note};
@@ -162,7 +163,7 @@ fn check_output(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
         let what = format!("--output {}: that is what is imported", output.display());
         return Err(Failure::argument(what, "choose another name; it would be lost"));
     }
-    saving::to_copy(scene, from.as_deref(), output).map_err(input::save_failure)?;
+    saving::to_copy(scene, from.as_deref(), output)?;
     Ok(())
 }
 

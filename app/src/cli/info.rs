@@ -1,8 +1,9 @@
 //! `cloudwright info`: what a scene holds, counted.
 
+use super::answer;
 use super::failure::Failure;
-use super::{answer, counted};
 use crate::opening;
+use crate::units::counted;
 use crate::visible::{self, one_line};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::flight::PathCurve;

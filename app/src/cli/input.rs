@@ -3,8 +3,8 @@
 use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::say;
-use crate::saving::{self, SaveError, Saved};
-use crate::storage::{self, Over, StorageError};
+use crate::saving::{self, Saved};
+use crate::storage::{self, Over};
 use cloudwright_core::formats::scene_file::EXTENSION;
 use cloudwright_core::scene::{Camera, CameraPath, Scene};
 use std::path::Path;
@@ -79,7 +79,7 @@ pub(super) fn check_scene_name(output: &Path) -> Result<(), Failure> {
 /// Saves a scene that was read from the file `from`, if from any; over a file that is there only by `force`. What it
 /// names is copied along.
 pub(super) fn save_scene(scene: &Scene, from: Option<&Path>, output: &Path, force: bool) -> Result<(), Failure> {
-    tell_copied(&saving::save(scene, from, output, over(force)).map_err(save_failure)?);
+    tell_copied(&saving::save(scene, from, output, over(force))?);
     Ok(())
 }
 
@@ -90,7 +90,7 @@ pub(super) fn save_scene_with(
     output: &Path,
     force: bool,
 ) -> Result<(), Failure> {
-    tell_copied(&saving::save_with(scene, from, file, output, over(force)).map_err(save_failure)?);
+    tell_copied(&saving::save_with(scene, from, file, output, over(force))?);
     Ok(())
 }
 
@@ -101,20 +101,5 @@ fn over(force: bool) -> Over {
 fn tell_copied(saved: &Saved) {
     if !saved.copied.is_empty() {
         say(&format!("copied beside it: {}", saved.copied.join(", ")));
-    }
-}
-
-/// Why a scene can't be saved.
-pub(super) fn save_failure(error: SaveError) -> Failure {
-    match error {
-        SaveError::Storage(error @ StorageError::InTheWay { .. }) => {
-            Failure::argument(error.to_string(), "choose another name, or --force")
-        }
-        SaveError::Storage(error) => error.into(),
-        error @ SaveError::Text(_) => Failure::could_not(error.to_string(), "report this"),
-        error @ SaveError::Another { .. } => Failure::argument(error.to_string(), "choose another folder"),
-        error @ (SaveError::InUse { .. } | SaveError::NoScene { .. }) => {
-            Failure::argument(error.to_string(), "choose another name")
-        }
     }
 }

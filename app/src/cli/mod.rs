@@ -88,11 +88,6 @@ fn say(text: &str) {
     let _ = writeln!(io::stderr(), "{}", visible::one_line(text));
 }
 
-/// A number of things: "1 cloud", "2 clouds".
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
-}
-
 /// Writes the answer to stdout.
 fn answer(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();

@@ -1,11 +1,12 @@
 //! `cloudwright plugins`: which there are, and what can be set.
 
+use super::answer;
 use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::run::{failure, is_file};
-use super::{answer, counted};
 use crate::plugins::{Entry, Library, Origin, ReadError};
 use crate::storage::Folders;
+use crate::units::counted;
 use crate::visible;
 use cloudwright_scripts::{Parameter, ParameterKind, Plugin};
 use std::fmt::Write;

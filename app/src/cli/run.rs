@@ -3,11 +3,12 @@
 use super::failure::Failure;
 use super::plugins::{self, Found};
 use super::progress::Progress;
-use super::{counted, input, say};
+use super::{input, say};
 use crate::opening;
 use crate::saving::{self, SaveError};
 use crate::scripting::{self, Request};
 use crate::storage::{self, Over};
+use crate::units::counted;
 use cloudwright_core::document::Document;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::{Fault, Outcome, ParameterKind, Patience, Plugin, PluginKind, ScriptError, Values};
@@ -95,8 +96,7 @@ fn export(arguments: &Arguments, Found { from, plugin }: &Found, values: &Values
         outcome(arguments, plugin, &scene, values).map_err(|error| failure(from, &error))?;
     let text = text.unwrap_or_default();
     let over = if arguments.force { Over::Anything } else { Over::Nothing };
-    storage::write_over(output, text.as_bytes(), over)
-        .map_err(|error| input::save_failure(SaveError::Storage(error)))?;
+    storage::write_over(output, text.as_bytes(), over).map_err(|error| Failure::from(SaveError::Storage(error)))?;
     printed.iter().for_each(|line| say(line));
     say(&format!("{}: {}", plugin.description.name, counted(text.lines().count(), "line", "lines")));
     Ok(())
@@ -129,7 +129,7 @@ fn check_output(arguments: &Arguments, scene: &Scene) -> Result<(), Failure> {
         Some(from) => input::check_output(scene, from, output)?,
         None => storage::check_writable(output)?,
     }
-    saving::to_copy(scene, from.as_deref(), output).map_err(input::save_failure)?;
+    saving::to_copy(scene, from.as_deref(), output)?;
     Ok(())
 }
 

@@ -2,7 +2,8 @@
 
 use super::failure::Failure;
 use super::progress::Progress;
-use super::{counted, input, say};
+use super::{input, say};
+use crate::units::counted;
 use crate::{opening, saving};
 use cloudwright_core::document::Document;
 use cloudwright_core::thin::{ThinError, thin};
@@ -37,7 +38,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let (scene, beside) = opening::open(&arguments.scene)?;
     input::check_scene_name(&arguments.output)?;
     input::check_output(&scene, &arguments.scene, &arguments.output)?;
-    saving::to_copy(&scene, Some(&arguments.scene), &arguments.output).map_err(input::save_failure)?;
+    saving::to_copy(&scene, Some(&arguments.scene), &arguments.output)?;
     let progress = Progress::start_stoppable("thinning");
     let thinned = thin(&scene, beside.sheet(), arguments.tolerance, progress.watch());
     drop(progress);

@@ -4,11 +4,11 @@ use super::arguments::report_speed;
 use super::failure::{Failure, UNUSABLE_INPUT};
 use super::progress::Progress;
 use super::run::failure as plugin_failure;
-use super::{answer, counted, input, say};
+use super::{answer, input, say};
 use crate::reports::{self, Line, MOST_TIME, MadeLayer, MakeError, Making, make, reading, words};
 use crate::state::empty_sky;
 use crate::storage::FileId;
-use crate::units::Units;
+use crate::units::{Units, counted};
 use crate::{opening, saving, storage};
 use cloudwright_core::document::Document;
 use cloudwright_core::formats::metar::{RefusedGroup, Report};
@@ -168,7 +168,7 @@ fn check_output(arguments: &Arguments, scene: &Scene, output: &std::path::Path) 
         let what = format!("--output {}: those are the reports", output.display());
         return Err(Failure::argument(what, "choose another name; they would be lost"));
     }
-    saving::to_copy(scene, arguments.scene.as_deref(), output).map_err(input::save_failure)?;
+    saving::to_copy(scene, arguments.scene.as_deref(), output)?;
     Ok(())
 }
 

@@ -142,6 +142,7 @@ commands! {
         Import: "Import…", "Bring in what another program made: clouds, weather, or a whole scene.", ctrl(Key::I), None;
         Export: "Export…", "Write the scene for another program: glTF, clouds of flight simulators, weather presets, tables.", ctrl(Key::E), None;
         RenderPicture: "Render picture…", "Draw the scene into a picture file: PNG, OpenEXR or Radiance HDR.", key(Key::F12), None;
+        RenderFlight: "Render flight…", "Draw a flight, or weather from a camera, into a video or into frames.", ctrl(Key::F12), None;
         Quit: "Quit", "Close the editor.", ctrl(Key::Q), None;
     }
     Edit {

@@ -125,6 +125,9 @@ impl Editor {
             Ask::Export(_) => self.export_to(&path, asked_already),
             Ask::Leave(_) => self.leave_to(&path, asked_already, context),
             Ask::Picture(_) => self.render_to(&path, asked_already, context),
+            Ask::Video(_) => self.film_to(&path, asked_already, context),
+            // A folder is no file that might be lost; what lies in it is heeded.
+            Ask::Frames(_) => self.film_to(&path, true, context),
             Ask::Arrive => self.ask_arriving(&path),
             Ask::Model(item, _) => self.use_model(*item, &path),
         }

@@ -27,6 +27,10 @@ pub enum Ask {
     Leave(PathBuf),
     /// Of a picture to draw into, with the name to start from.
     Picture(PathBuf),
+    /// Of a video to make, with the name to start from.
+    Video(PathBuf),
+    /// Of a folder for a film's frames, with the file that it begins beside.
+    Frames(PathBuf),
     /// Of a file of another program's to read.
     Arrive,
     /// Of the model of that aircraft or prop, which lies beside the scene's file.
@@ -71,7 +75,8 @@ impl FileDialogs for NativeDialogs {
                 endings.dedup();
                 dialog.add_filter("What other programs make", &endings)
             }
-            Ask::Export(start) | Ask::Leave(start) | Ask::Picture(start) => {
+            Ask::Frames(_) => dialog,
+            Ask::Export(start) | Ask::Leave(start) | Ask::Picture(start) | Ask::Video(start) => {
                 match start.extension().and_then(|ending| ending.to_str()) {
                     Some(ending) => dialog.add_filter(format!("{} files", ending.to_uppercase()), &[ending]),
                     None => dialog,
@@ -87,17 +92,20 @@ impl FileDialogs for NativeDialogs {
             | Ask::Export(start)
             | Ask::Leave(start)
             | Ask::Picture(start)
+            | Ask::Video(start)
             | Ask::SaveScript(start) => {
                 let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let title = match ask {
                     Ask::Export(_) | Ask::Leave(_) => "Export as",
                     Ask::SaveScript(_) => "Save script as",
                     Ask::Picture(_) => "Render picture to",
+                    Ask::Video(_) => "Render flight to",
                     _ => "Save scene as",
                 };
                 let dialog = dialog.set_title(title).set_file_name(name);
                 Box::pin(beside(start, dialog).save_file())
             }
+            Ask::Frames(scene) => Box::pin(beside(scene, dialog).set_title("Folder for the frames").pick_folder()),
             Ask::Model(_, scene) => Box::pin(beside(scene, dialog).set_title("Choose model").pick_file()),
         };
         std::thread::spawn(move || {

@@ -55,7 +55,7 @@ use layout::Layout;
 use place_many::PlaceMany;
 use plugins::Plugins;
 use recording::Recording;
-use rendering::{Copying, Rendering};
+use rendering::{Copying, Filming, Rendering};
 use script::Writing;
 use std::cell::RefCell;
 use std::path::PathBuf;
@@ -79,6 +79,7 @@ pub struct Editor {
     leaving: Leaving,
     arriving: Arriving,
     rendering: Rendering,
+    filming: Filming,
     copying: Copying,
     /// What draws pictures, as it was asked for.
     renderer: RendererChoice,
@@ -139,6 +140,7 @@ impl Editor {
             leaving: Leaving::default(),
             arriving: Arriving::default(),
             rendering: Rendering::default(),
+            filming: Filming::default(),
             copying: Copying::default(),
             renderer,
             time_play: TimePlay::default(),
@@ -203,7 +205,10 @@ impl Editor {
     /// Whether something before the window waits for an answer.
     fn is_asking(&self) -> bool {
         let asks = self.palette.is_some() || self.place_many.is_some() || self.thinning.is_some();
-        let exchanges = self.leaving.is_asking() || self.arriving.is_asking() || self.rendering.is_asking();
+        let exchanges = self.leaving.is_asking()
+            || self.arriving.is_asking()
+            || self.rendering.is_asking()
+            || self.filming.is_asking();
         asks || exchanges || self.asks_by_showing() || self.dialogs.is_open()
     }
 
@@ -360,6 +365,7 @@ impl eframe::App for Editor {
         self.show_leaving(&context);
         self.show_arriving(&context);
         self.show_rendering(&context);
+        self.show_filming(&context);
         self.keep_copying(&context);
         self.show_plugin(&context);
         self.show_last_run(&context);

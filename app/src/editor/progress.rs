@@ -57,6 +57,13 @@ impl<Request: Send + 'static, Answer: Send + 'static> Progress<Request, Answer> 
         }
     }
 
+    /// Has the work end soon; its answer says what came of it.
+    pub(super) fn stop(&self) {
+        if let Self::Working(work) = self {
+            work.watch.cancel();
+        }
+    }
+
     pub(super) fn stage(&self, context: &egui::Context) -> Stage<'_> {
         match self {
             Self::Choosing(refusal) => Stage::Choosing(refusal.as_deref()),

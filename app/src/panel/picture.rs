@@ -42,7 +42,7 @@ pub(crate) fn ask_picture(
 }
 
 /// Who looks: the view, or one of the scene's cameras.
-pub(super) fn camera_row(ui: &mut Ui, scene: &Scene, camera: &mut Option<CameraId>) {
+fn camera_row(ui: &mut Ui, scene: &Scene, camera: &mut Option<CameraId>) {
     ui.label("Camera");
     let view = std::iter::once((None, "The view as it is".to_owned()));
     let cameras = scene.cameras.iter().map(|camera| (Some(camera.id), camera.name.clone()));
@@ -52,6 +52,22 @@ pub(super) fn camera_row(ui: &mut Ui, scene: &Scene, camera: &mut Option<CameraI
 }
 
 fn rows(ui: &mut Ui, form: &PictureForm<'_>, chosen: &mut PictureSettings, camera: &mut Option<CameraId>) {
+    size_rows(ui, chosen);
+    camera_row(ui, form.scene, camera);
+    ui.label("File");
+    let kinds = PictureKind::ALL.map(|kind| (kind, format!("{} (.{})", kind.name(), kind.ending())));
+    let doc = "As what it is written. OpenEXR and HDR hold light before the tone curve.";
+    choose(ui, "File", doc, &kinds, &mut chosen.kind);
+    ui.end_row();
+    if chosen.kind == PictureKind::Exr {
+        layers_row(ui, chosen);
+    }
+    method_rows(ui, chosen);
+    let second = (form.clock_s != 0.0).then(|| format!("as it is at {:.1} s of the clock", form.clock_s));
+    second.into_iter().chain(form.hour_h.map(tried_out)).for_each(|line| said_row(ui, line));
+}
+
+pub(super) fn size_rows(ui: &mut Ui, chosen: &mut PictureSettings) {
     let mut size = chosen.size();
     for (number, side) in SIDES.iter().zip(&mut size) {
         ui.label(number.label);
@@ -62,23 +78,17 @@ fn rows(ui: &mut Ui, form: &PictureForm<'_>, chosen: &mut PictureSettings, camer
         ui.end_row();
     }
     chosen.set_size(size);
-    camera_row(ui, form.scene, camera);
-    ui.label("File");
-    let kinds = PictureKind::ALL.map(|kind| (kind, format!("{} (.{})", kind.name(), kind.ending())));
-    choose(
-        ui,
-        "File",
-        "As what it is written. OpenEXR and HDR hold light before the tone curve.",
-        &kinds,
-        &mut chosen.kind,
-    );
+}
+
+pub(super) fn layers_row(ui: &mut Ui, chosen: &mut PictureSettings) {
+    ui.label("");
+    ui.checkbox(&mut chosen.layers, "With layers")
+        .on_hover_text("Adds each light by itself, depth and motion, for compositing; drawn on the CPU.");
     ui.end_row();
-    if chosen.kind == PictureKind::Exr {
-        ui.label("");
-        ui.checkbox(&mut chosen.layers, "With layers")
-            .on_hover_text("Adds each light by itself, depth and motion, for compositing; drawn on the CPU.");
-        ui.end_row();
-    }
+}
+
+/// By what it is drawn, and how smoothly.
+pub(super) fn method_rows(ui: &mut Ui, chosen: &mut PictureSettings) {
     ui.label("Method");
     let methods = METHODS.iter().map(|method| (Some(method.name.to_owned()), method.name.to_owned()));
     let methods: Vec<_> = std::iter::once((None, "As it ships".to_owned())).chain(methods).collect();
@@ -93,17 +103,22 @@ fn rows(ui: &mut Ui, form: &PictureForm<'_>, chosen: &mut PictureSettings, camer
     choose(ui, "Samples a pixel", "More smooth edges, and take longer.", &samples, &mut samples_side);
     chosen.set_samples_side(samples_side);
     ui.end_row();
-    let second = (form.clock_s != 0.0).then(|| format!("as it is at {:.1} s of the clock", form.clock_s));
-    let hour = form.hour_h.map(|hour| format!("by the light of {}, which is tried out", clock(hour)));
-    for line in [second, hour].into_iter().flatten() {
-        ui.label("");
-        ui.weak(line);
-        ui.end_row();
-    }
+}
+
+/// Says by which light it will be drawn, if that is not the scene's.
+pub(super) fn tried_out(hour_h: f64) -> String {
+    format!("by the light of {}, which is tried out", clock(hour_h))
+}
+
+/// A line that tells something.
+pub(super) fn said_row(ui: &mut Ui, line: String) {
+    ui.label("");
+    ui.weak(line);
+    ui.end_row();
 }
 
 /// One of `all`, where something else may stand that is none of them.
-fn choose<T: Clone + PartialEq>(ui: &mut Ui, label: &str, doc: &str, all: &[(T, String)], chosen: &mut T) {
+pub(super) fn choose<T: Clone + PartialEq>(ui: &mut Ui, label: &str, doc: &str, all: &[(T, String)], chosen: &mut T) {
     let text = all.iter().find(|(each, _)| each == chosen).map_or("", |(_, text)| text);
     if let Some(new) = combo(ui, label, doc, text, all, |each| each == chosen) {
         *chosen = new;

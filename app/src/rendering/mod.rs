@@ -1,9 +1,11 @@
 //! Pictures of a scene as files: the one way that the command line and the window's dialogs share.
 
+mod flight;
 mod kind;
 mod painter;
 mod still;
 
+pub(crate) use flight::{Eye, Film, Filmed, Flight, NoFlight, check_size, count, is_video, last_key_s, range};
 pub(crate) use kind::{Said, draw, kind_of, pack};
 pub(crate) use painter::{Painter, Painting};
 pub(crate) use still::{Still, StillEye};

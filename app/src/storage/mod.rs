@@ -27,7 +27,7 @@ pub use file_id::FileId;
 pub use folder::Folder;
 pub use folders::Folders;
 pub use listing::Listing;
-pub use pictures::PictureSettings;
+pub use pictures::{FilmSettings, PictureSettings, There};
 pub use recovery::{Orphan, RecoverySlot, Rescue, orphans};
 pub use rescue_writer::{RescueWriter, Unsaved};
 pub use settings::{Settings, ThemeChoice};

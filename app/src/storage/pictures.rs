@@ -51,3 +51,58 @@ impl PictureSettings {
         self.samples_side = side;
     }
 }
+
+/// What becomes of a film's frames that lie there already, by their names.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub enum There {
+    /// Nothing is drawn.
+    #[default]
+    Refuse,
+    /// Those that are whole and of the size are kept, whatever they show.
+    Keep,
+    /// They are drawn anew.
+    Replace,
+}
+
+/// Of a film: a flight, or weather from a camera.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct FilmSettings {
+    /// Of each frame.
+    pub frame: PictureSettings,
+    frames_a_second: u32,
+    /// Whether the frames become a video, .mp4.
+    pub video: bool,
+    /// Whether sprites that come before others are faded over, in place of being sorted anew for each frame.
+    pub crossfade: bool,
+    /// What becomes of frames that lie there.
+    pub there: There,
+}
+
+impl Default for FilmSettings {
+    fn default() -> Self {
+        Self {
+            frame: PictureSettings { size: [1280, 720], ..PictureSettings::default() },
+            frames_a_second: 30,
+            video: true,
+            crossfade: false,
+            there: There::default(),
+        }
+    }
+}
+
+impl FilmSettings {
+    /// Frames a second, at the most.
+    pub const MAX_FRAMES_A_SECOND: u32 = 240;
+
+    /// Frames a second.
+    pub fn frames_a_second(&self) -> u32 {
+        self.frames_a_second.clamp(1, Self::MAX_FRAMES_A_SECOND)
+    }
+
+    /// Chooses another rate.
+    pub fn set_frames_a_second(&mut self, frames: u32) {
+        self.frames_a_second = frames;
+    }
+}

@@ -3,7 +3,7 @@
 //! Settings are never worth a crash: a file that can't be understood is put aside and the defaults stand in. Several
 //! editors may run at once, so a change is made to what is on disk at that moment, not to what was read at the start.
 
-use super::{Folders, PictureSettings, StorageError, read, write_atomic};
+use super::{FilmSettings, Folders, PictureSettings, StorageError, read, write_atomic};
 use crate::command::Keymap;
 use crate::units::Units;
 use serde::{Deserialize, Serialize};
@@ -31,6 +31,8 @@ pub struct Settings {
     pub keymap: Keymap,
     /// How pictures were last drawn into files.
     pub picture: PictureSettings,
+    /// How films were.
+    pub film: FilmSettings,
     /// How panels are docked, as the window's layout itself says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub layout: Option<Value>,
@@ -61,6 +63,7 @@ impl Default for Settings {
             units: Units::default(),
             keymap: Keymap::default(),
             picture: PictureSettings::default(),
+            film: FilmSettings::default(),
             layout: None,
             window_size: None,
         }

@@ -84,6 +84,8 @@ fn a_broken_run_goes_on() {
     assert!(fly(&place, "-o out --frames 0..6").contains("4 drawn, 2 kept"));
     assert!(place.read(&frame("out", 2)) == whole, "mended");
     assert!(place.read(&frame("out", 0)) == place.read(&frame("out", 4)), "kept");
+    assert!(fly(&place, "-o out --frames 0..2 --anew").contains("2 drawn, 0 kept"));
+    assert!(place.read(&frame("out", 0)) != place.read(&frame("out", 4)), "drawn anew");
     fly(&place, "-o fresh --frames 0..6");
     for number in [1, 2, 3, 5] {
         assert!(place.read(&frame("out", number)) == place.read(&frame("fresh", number)), "{number}");

@@ -13,6 +13,7 @@ mod drawing_boxes;
 mod editing;
 mod exchange;
 mod files;
+mod filming;
 mod flight_panel;
 mod flying;
 mod grabbing;

@@ -22,7 +22,7 @@ impl Window {
         window
     }
 
-    fn choose(&mut self, what: &str, value: &str) {
+    pub(crate) fn choose(&mut self, what: &str, value: &str) {
         self.node(Role::ComboBox, what).click();
         self.settle();
         self.harness.get_all_by_label(value).last().expect("a choice").click_accesskit();

@@ -82,9 +82,13 @@ impl Dialogs {
     pub(super) fn ask_path(&mut self, ask: Ask) {
         let text = match &ask {
             Ask::Open | Ask::Arrive => String::new(),
-            Ask::Save(path) | Ask::Export(path) | Ask::Leave(path) | Ask::Picture(path) | Ask::SaveScript(path) => {
-                path.display().to_string()
-            }
+            Ask::Save(path)
+            | Ask::Export(path)
+            | Ask::Leave(path)
+            | Ask::Picture(path)
+            | Ask::Video(path)
+            | Ask::SaveScript(path) => path.display().to_string(),
+            Ask::Frames(scene) => scene.with_file_name("frames").display().to_string(),
             Ask::Model(_, scene) => scene.with_file_name("model.glb").display().to_string(),
         };
         self.open(Dialog::Path { ask, text });

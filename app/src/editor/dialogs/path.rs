@@ -14,6 +14,8 @@ pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Opti
         Ask::SaveScript(_) => ("Save script as", "Save"),
         Ask::Export(_) | Ask::Leave(_) => ("Export as", "Export"),
         Ask::Picture(_) => ("Render picture to", "Render"),
+        Ask::Video(_) => ("Render flight to", "Render"),
+        Ask::Frames(_) => ("Folder for the frames", "Render"),
         Ask::Arrive => ("Import", "Import"),
         Ask::Model(..) => ("Choose model", "Choose"),
     };

@@ -7,7 +7,7 @@ use crate::exchange::{CameIn, ComeInError, Placing, ReadError, called, choose, c
 use crate::panel::{self, ArrivingForm, ExchangeAnswer};
 use crate::reports::{MOST_TIME, MakeError, words};
 use crate::state::{Item, Selection};
-use crate::units::Units;
+use crate::units::{Units, counted};
 use cloudwright_core::document::{Document, Edit, SavedMark};
 use cloudwright_core::exchange::{Arrived, Content, Format, Note, Options};
 use cloudwright_core::scene::Scene;
@@ -126,7 +126,7 @@ impl Editor {
                     Progress::Choosing(Some("Nothing came in: the scene has changed meanwhile.".into()))
                 }
                 Ok(Some((Came::Whole(scene), notes))) => {
-                    let line = format!("{} in a scene of its own", counted(scene.clouds.len(), "cloud"));
+                    let line = format!("{} in a scene of its own", counted(scene.clouds.len(), "cloud", "clouds"));
                     self.want(Intent::Take(Arc::new(*scene)), context);
                     Progress::Done(vec![line], notes)
                 }
@@ -176,10 +176,6 @@ impl Editor {
     }
 }
 
-fn counted(count: usize, what: &str) -> String {
-    if count == 1 { format!("1 {what}") } else { format!("{count} {what}s") }
-}
-
 /// What came in, a line each.
 fn told(came: &CameIn) -> Vec<String> {
     let layer = |made: &crate::reports::MadeLayer| {
@@ -193,10 +189,12 @@ fn told(came: &CameIn) -> Vec<String> {
         return came.layers.iter().map(layer).collect();
     }
     if let Some((thing, model)) = &came.model {
-        return vec![format!("{} of {}", called(*thing), counted(model.triangles, "triangle"))];
+        return vec![format!("{} of {}", called(*thing), counted(model.triangles, "triangle", "triangles"))];
     }
     match (came.models, came.clouds.len()) {
         (0, 0) => vec!["no clouds".into()],
-        (models, clouds) => vec![format!("{}, {}", counted(models, "model"), counted(clouds, "cloud"))],
+        (models, clouds) => {
+            vec![format!("{}, {}", counted(models, "model", "models"), counted(clouds, "cloud", "clouds"))]
+        }
     }
 }

@@ -105,6 +105,7 @@ impl Editor {
                 selection.model(scene).is_some()
             }
             Command::CopyLevels => selection.model(scene).is_some(),
+            Command::RenderFlight => self.can_film(),
             Command::ThinOut => !scene.clouds.is_empty(),
             Command::PasteLevels => selection.model(scene).is_some() && self.copied_levels.is_some(),
             Command::DuplicateOwn | Command::MakeOwn => clouds > 0,
@@ -184,6 +185,7 @@ impl Editor {
             Command::Import => self.ask(Ask::Arrive, context),
             Command::Export => self.ask_leaving(),
             Command::RenderPicture => self.ask_rendering(),
+            Command::RenderFlight => self.ask_filming(),
             Command::CopyPicture => self.copy_picture(context),
             Command::OpenRecent => self.list_recent(context),
             Command::Save => self.save(context),

@@ -1,9 +1,11 @@
-//! Pictures out of the window: into a file, or onto the clipboard. Both are drawn off the frame.
+//! Pictures out of the window: into a file, onto the clipboard, or as a film. All are drawn off the frame.
 
 mod copying;
+mod film;
 mod picture;
 
 pub(super) use copying::Copying;
+pub(super) use film::Filming;
 pub(super) use picture::Rendering;
 
 use std::sync::Mutex;

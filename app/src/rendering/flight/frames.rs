@@ -1,7 +1,6 @@
 //! The frames of a flight: which there are, what their files are called, and whether one is there whole.
 
-use crate::cli::counted;
-use crate::cli::failure::Failure;
+use super::NoFlight;
 use crate::picture_hdr;
 use crate::picture_kind::PictureKind;
 use crate::storage::{self, Folder, StorageError};
@@ -73,7 +72,7 @@ fn is_whole_png(bytes: &[u8], size: [u32; 2]) -> bool {
 }
 
 /// `A..B` as frame numbers; or `A-B`, where B is the last, and `A` alone.
-pub(super) fn range(text: &str) -> Result<Range<u32>, String> {
+pub(crate) fn range(text: &str) -> Result<Range<u32>, String> {
     let number = |text: &str| text.parse::<u32>().ok();
     let parted = match text.split_once("..") {
         Some((first, end)) => number(first).zip(number(end)),
@@ -88,31 +87,14 @@ pub(super) fn range(text: &str) -> Result<Range<u32>, String> {
         .ok_or_else(|| "write the first frame and the one after the last, such as 0..90, or both, such as 0-89".into())
 }
 
-/// The frames asked for, or all of a flight: the first at its start, the last not after its end.
-pub(super) fn chosen(asked: Option<Range<u32>>, duration_s: f64, fps: u32) -> Result<Range<u32>, Failure> {
+/// How many frames a film of `duration_s` has: the first at its start, the last not after its end.
+///
+/// # Errors
+/// If their numbers can't be counted.
+pub(crate) fn count(duration_s: f64, fps: u32) -> Result<u32, NoFlight> {
     // A path of 0.7 s has a frame at its end at any rate that meets it, whatever 0.7 × 30 is in binary.
     let last = (duration_s * f64::from(fps) + 1e-6).floor();
-    if last >= f64::from(u32::MAX) {
-        return Err(Failure::argument(
-            format!("there are {last} frames"),
-            "lower --fps, or shorten the path or --seconds",
-        ));
-    }
-    let count = last as u32 + 1;
-    match asked {
-        Some(range) if range.end > count => Err(Failure::argument(
-            format!(
-                "--frames {}..{}: at --fps {fps} there {} {}",
-                range.start,
-                range.end,
-                if count == 1 { "is" } else { "are" },
-                counted(count as usize, "frame", "frames")
-            ),
-            format!("stay within 0..{count}"),
-        )),
-        Some(range) => Ok(range),
-        None => Ok(0..count),
-    }
+    if last >= f64::from(u32::MAX) { Err(NoFlight::TooMany(last)) } else { Ok(last as u32 + 1) }
 }
 
 /// The name of a path or camera of `scene` as a part of files' names, on any system: another one for each of them, for one
@@ -157,12 +139,9 @@ mod tests {
     fn a_flight_has_a_frame_at_either_end() {
         for (duration_s, fps, count) in [(1.0, 30, 31), (0.7, 30, 22), (0.29, 100, 30), (0.99, 1, 1), (12.0, 240, 2881)]
         {
-            let all = chosen(None, duration_s, fps).expect("not many");
-            assert_eq!(all, 0..count, "{duration_s} s at {fps}");
-            assert!(chosen(Some(0..count), duration_s, fps).is_ok());
-            assert!(chosen(Some(0..count + 1), duration_s, fps).is_err());
+            assert_eq!(super::count(duration_s, fps).expect("not many"), count, "{duration_s} s at {fps}");
         }
-        assert!(chosen(None, 1e9, 240).is_err());
+        assert!(count(1e9, 240).is_err());
     }
 
     #[test]
