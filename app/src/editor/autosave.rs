@@ -10,6 +10,7 @@ use super::done::unkept;
 use crate::opening::problem_lines;
 use crate::state::Session;
 use crate::storage::{self, Orphan, RescueWriter, Unsaved};
+use cloudwright_core::document::Past;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::Problem;
 use std::path::PathBuf;
@@ -22,11 +23,14 @@ impl Editor {
             return self.drop_rescue();
         }
         let Some(scene) = self.session.settled() else { return };
-        let unsaved = Unsaved { scene, path: self.session.path().map(PathBuf::from), known: self.disk.known };
-        if !self.disk.kept.as_ref().is_some_and(|kept| kept.is_same(&unsaved)) {
-            writer.keep(unsaved.clone());
-            self.disk.kept = Some(unsaved);
+        let (path, known) = (self.session.path(), self.disk.known);
+        if self.disk.kept.as_ref().is_some_and(|kept| kept.is_of(&scene, path, known)) {
+            return;
         }
+        let (path, past) = (path.map(PathBuf::from), self.session.document().past());
+        let unsaved = Unsaved { scene, path, known, past };
+        writer.keep(unsaved.clone());
+        self.disk.kept = Some(unsaved);
     }
 
     /// What must be done last in a program that is told to end, lest work be lost; none if nothing is kept at all.
@@ -75,8 +79,7 @@ impl Editor {
             Err(problems) => return self.dialogs.list(&name, vec![place(problem_lines(&name, &problems).join("\n"))]),
         };
         let path = rescue.path.clone();
-        let mut session = Session::new(scene, path);
-        session.mark_unsaved();
+        let mut session = Session::resume(scene, path, &Past::read(&rescue.past));
         let problems = session.load_beside();
         // One of this editor's own goes; the work is where it always was.
         if let Some(writer) = &self.disk.rescue_writer {

@@ -98,6 +98,12 @@ impl Editor {
         self.view = ViewState { tool, snap, keep_fill, sorting, ..ViewState::default() };
     }
 
+    /// The file that a dialog begins beside: the scene's, or of one without a file, the one that was open last.
+    pub(super) fn beside_what(&self) -> PathBuf {
+        let last = || self.disk.settings().recent().first().cloned();
+        self.session.path().map(PathBuf::from).or_else(last).unwrap_or_default()
+    }
+
     /// Asks for a file name.
     pub(super) fn ask(&mut self, ask: Ask, context: &egui::Context) {
         self.waiting = Some(Waiting::start(self.file_dialogs.as_mut(), ask, context));
@@ -119,7 +125,7 @@ impl Editor {
     pub(super) fn use_path(&mut self, ask: &Ask, path: PathBuf, asked_already: bool, context: &egui::Context) {
         match ask {
             // Something may have been changed while the dialog was open, so the question comes after it.
-            Ask::Open => self.want(Intent::OpenFile(path), context),
+            Ask::Open(_) => self.want(Intent::OpenFile(path), context),
             Ask::Save(_) => self.save_under(&path, asked_already, context),
             Ask::SaveScript(_) => self.save_script_under(&path, asked_already),
             Ask::Export(_) => self.export_to(&path, asked_already),
@@ -128,7 +134,7 @@ impl Editor {
             Ask::Video(_) => self.film_to(&path, asked_already, context),
             // A folder is no file that might be lost; what lies in it is heeded.
             Ask::Frames(_) => self.film_to(&path, true, context),
-            Ask::Arrive => self.ask_arriving(&path),
+            Ask::Arrive(_) => self.ask_arriving(&path),
             Ask::Model(item, _) => self.use_model(*item, &path),
         }
     }

@@ -15,8 +15,8 @@ use std::time::{Duration, Instant};
 /// What the name is wanted for.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Ask {
-    /// Of a scene to open.
-    Open,
+    /// Of a scene to open, with the file that the dialog begins beside; none if it is empty.
+    Open(PathBuf),
     /// Of a scene to save, with the name to start from.
     Save(PathBuf),
     /// Of a script to save, with the name to start from.
@@ -31,8 +31,8 @@ pub enum Ask {
     Video(PathBuf),
     /// Of a folder for a film's frames, with the file that it begins beside.
     Frames(PathBuf),
-    /// Of a file of another program's to read.
-    Arrive,
+    /// Of a file of another program's to read, with the file that the dialog begins beside.
+    Arrive(PathBuf),
     /// Of the model of that aircraft or prop, which lies beside the scene's file.
     Model(Item, PathBuf),
 }
@@ -66,10 +66,10 @@ impl FileDialogs for NativeDialogs {
         let dialog = rfd::AsyncFileDialog::new();
         let dialog = match ask {
             Ask::Model(..) => dialog.add_filter("glTF models", &["glb"]),
-            Ask::Open | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
+            Ask::Open(_) | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
             Ask::SaveScript(_) => dialog.add_filter("Plugins", &[plugins::EXTENSION]),
             // Of the ending that the name has; a user may give another.
-            Ask::Arrive => {
+            Ask::Arrive(_) => {
                 let mut endings: Vec<&str> =
                     FORMATS.iter().filter(|each| each.is_read()).flat_map(|each| each.endings).copied().collect();
                 endings.dedup();
@@ -86,8 +86,8 @@ impl FileDialogs for NativeDialogs {
         let asked = Instant::now();
         // Made on this thread, as macOS wants it, and waited for on another.
         let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
-            Ask::Open => Box::pin(dialog.set_title("Open scene").pick_file()),
-            Ask::Arrive => Box::pin(dialog.set_title("Import").pick_file()),
+            Ask::Open(scene) => Box::pin(beside(scene, dialog).set_title("Open scene").pick_file()),
+            Ask::Arrive(scene) => Box::pin(beside(scene, dialog).set_title("Import").pick_file()),
             Ask::Save(start)
             | Ask::Export(start)
             | Ask::Leave(start)

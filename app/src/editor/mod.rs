@@ -100,6 +100,10 @@ pub struct Editor {
     thumbnails: RefCell<Thumbnails>,
     /// Esc was pressed: the rest of this gesture is ignored.
     gesture_dropped: bool,
+    /// A panel asked in this frame for what it shows as a preview.
+    previews: bool,
+    /// It did so in the frame before.
+    previewed: bool,
     quitting: bool,
     title: String,
 }
@@ -157,6 +161,8 @@ impl Editor {
             toasts: Toasts::default(),
             thumbnails: RefCell::new(Thumbnails::new(context)),
             gesture_dropped: false,
+            previews: false,
+            previewed: false,
             quitting: false,
             title: String::new(),
         };
@@ -238,6 +244,13 @@ impl Editor {
 
     /// A gesture ends when no button is down, whichever widget it began in; but for a tool's that goes on till a click.
     fn end_gesture_on_release(&mut self, context: &egui::Context) {
+        let previews = std::mem::take(&mut self.previews);
+        if std::mem::replace(&mut self.previewed, previews) && !previews {
+            self.session.cancel();
+        }
+        if previews {
+            return;
+        }
         if context.input(|input| input.pointer.any_down()) || self.viewport.holds_gesture() {
             return;
         }
@@ -261,8 +274,14 @@ impl Editor {
         }
     }
 
-    fn state_of(&self, command: Command) -> panel::CommandState {
-        panel::CommandState { enabled: self.can(command), on: self.is_on(command) }
+    fn state_of(&self, command: Command) -> panel::CommandState<'_> {
+        let document = self.session.document();
+        let on_what = match command {
+            Command::Undo => document.undo_name(),
+            Command::Redo => document.redo_name(),
+            _ => None,
+        };
+        panel::CommandState { enabled: self.can(command), on: self.is_on(command), on_what }
     }
 
     /// Bars and panels. What they ask for.

@@ -5,17 +5,23 @@ use crate::command::{Command, Menu, Row, TABLE};
 use crate::plugins::Library;
 use crate::state::Action;
 use crate::theme;
+use crate::visible;
 use crate::widget::name_it;
 use egui::{Button, Ui};
 
 /// How a command is offered now.
 #[derive(Debug, Clone, Copy)]
-pub(crate) struct CommandState {
+pub(crate) struct CommandState<'a> {
     /// Whether it has something to work on.
     pub(crate) enabled: bool,
     /// Whether what it switches is switched on.
     pub(crate) on: bool,
+    /// What it would work on, by name, where that does not show.
+    pub(crate) on_what: Option<&'a str>,
 }
+
+/// How each command is offered now.
+pub(crate) type CommandStates<'a> = dyn Fn(Command) -> CommandState<'a> + 'a;
 
 /// The buttons, in groups.
 const BUTTONS: &[&[Command]] = &[
@@ -28,12 +34,7 @@ const BUTTONS: &[&[Command]] = &[
 ];
 
 /// The row of menus.
-pub(crate) fn menu_bar(
-    ui: &mut Ui,
-    state: &dyn Fn(Command) -> CommandState,
-    library: &Library,
-    actions: &mut Vec<Action>,
-) {
+pub(crate) fn menu_bar(ui: &mut Ui, state: &CommandStates<'_>, library: &Library, actions: &mut Vec<Action>) {
     egui::MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
             ui.menu_button(menu.name(), |ui| {
@@ -56,7 +57,7 @@ pub(crate) fn menu_bar(
 }
 
 /// The row of buttons: icons with their names in tooltips.
-pub(crate) fn toolbar(ui: &mut Ui, state: &dyn Fn(Command) -> CommandState, actions: &mut Vec<Action>) {
+pub(crate) fn toolbar(ui: &mut Ui, state: &CommandStates<'_>, actions: &mut Vec<Action>) {
     ui.horizontal_wrapped(|ui| {
         for (i, group) in BUTTONS.iter().enumerate() {
             if i > 0 {
@@ -77,20 +78,16 @@ fn tool_name(row: &Row) -> String {
     if row.menu == Menu::Add { format!("Add {}", row.label().to_lowercase()) } else { row.label().into() }
 }
 
-fn offer(
-    ui: &mut Ui,
-    row: &Row,
-    button: Button<'_>,
-    name: &str,
-    state: &dyn Fn(Command) -> CommandState,
-    actions: &mut Vec<Action>,
-) {
-    let CommandState { enabled, on } = state(row.command);
+fn offer(ui: &mut Ui, row: &Row, button: Button<'_>, name: &str, state: &CommandStates<'_>, actions: &mut Vec<Action>) {
+    let CommandState { enabled, on, on_what } = state(row.command);
     let response = ui.add_enabled(enabled, button.selected(on));
     name_it(ui, &response, name);
     let tooltip = |ui: &mut Ui| {
         ui.strong(name);
         ui.label(row.tooltip(ui.ctx()));
+        if let Some(what) = on_what {
+            ui.weak(visible::one_line(what));
+        }
     };
     if response.on_hover_ui(tooltip).on_disabled_hover_ui(tooltip).clicked() {
         actions.push(Action::Command(row.command));

@@ -32,7 +32,7 @@ mod thinning;
 mod timeline;
 mod weather_report;
 
-pub(crate) use bars::{CommandState, menu_bar, toolbar};
+pub(crate) use bars::{CommandState, CommandStates, menu_bar, toolbar};
 pub(crate) use corner::Answer;
 pub(crate) use exchange::{ArrivingForm, ExchangeAnswer, LeavingChosen, LeavingForm, Stage, ask_arriving, ask_leaving};
 pub(crate) use film::{FilmChosen, FilmForm, ask_film, film_eyes};

@@ -2,7 +2,7 @@
 
 use super::plugin::kind_name;
 use crate::command::{Command, TABLE};
-use crate::panel::CommandState;
+use crate::panel::CommandStates;
 use crate::plugins::{Library, Origin};
 use crate::state::Action;
 use crate::theme;
@@ -38,7 +38,7 @@ impl Palette {
     pub(crate) fn show(
         &mut self,
         context: &Context,
-        state: &dyn Fn(Command) -> CommandState,
+        state: &CommandStates<'_>,
         library: &Library,
     ) -> Option<Option<Action>> {
         let (down, up) = context.input_mut(|input| {

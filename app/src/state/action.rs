@@ -32,6 +32,13 @@ pub(crate) enum Action {
         /// Whether the button is still down.
         live: bool,
     },
+    /// Values are shown as they would be, as long as each frame asks for it; then it is taken back.
+    Preview {
+        /// What the history calls it once it is done.
+        name: &'static str,
+        /// What shows it; empty while it is shown.
+        edits: Vec<Edit>,
+    },
     /// Tracks were changed: part of a gesture if `live`.
     Keys {
         /// What the history calls it.
@@ -103,6 +110,14 @@ impl Action {
     /// Selects one thing and nothing else.
     pub(crate) fn select(item: Item) -> Self {
         Self::Select { items: vec![item], through: None, how: Choose::Only }
+    }
+
+    /// A change that is shown only; all else as it is.
+    pub(crate) fn previewed(self) -> Self {
+        match self {
+            Self::Change { name, edits, .. } => Self::Preview { name, edits },
+            other => other,
+        }
     }
 
     /// One edit of a field.

@@ -101,10 +101,11 @@ pub(crate) fn change(reading: &Reading<'_>, after: &ColorLevels, live: bool) -> 
     actions
 }
 
-/// Gives the selected models these levels, whatever theirs are.
+/// Gives those of the selected models these levels that have others.
 pub(crate) fn replace(reading: &Reading<'_>, name: &'static str, levels: ColorLevels) -> Action {
     let models = reading.view.selection.models(reading.session.scene());
-    let edits = models.into_iter().map(|model| with_levels(model, levels)).collect();
+    let others = models.into_iter().filter(|model| model.color_levels != levels);
+    let edits = others.map(|model| with_levels(model, levels)).collect();
     Action::Change { name, edits, live: false }
 }
 

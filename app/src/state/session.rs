@@ -10,7 +10,7 @@
 use super::regeneration::{Regeneration, Request};
 use crate::opening::Beside;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::document::{Change, Document, Edit, EditError, ListEdit, SavedMark};
+use cloudwright_core::document::{Change, Document, Edit, EditError, ListEdit, Past, SavedMark};
 use cloudwright_core::problem::{self, Problem};
 use cloudwright_core::scene::{CloudId, Scene, Track};
 use cloudwright_core::sprites::PlacedCloud;
@@ -63,13 +63,23 @@ pub struct Pending {
 impl Session {
     /// A scene that is as it was saved at `path`, or new.
     pub(crate) fn new(scene: Scene, path: Option<PathBuf>) -> Self {
+        Self::of(Document::new(scene), path)
+    }
+
+    /// A scene that was not saved, with what can be undone of it; its file, if it has one, lies at `path`.
+    pub(crate) fn resume(scene: Scene, path: Option<PathBuf>, past: &Past) -> Self {
+        Self::of(Document::resume(scene, past), path)
+    }
+
+    fn of(document: Document, path: Option<PathBuf>) -> Self {
+        let scene = document.scene();
         let mut session = Self {
             derived: Arc::new(Derived::default()),
             shown: Arc::new(scene.clone()),
             whole: Arc::new(scene.clone()),
             muted: BTreeSet::new(),
             is_sound: true,
-            document: Document::new(scene),
+            document,
             path,
             beside: Beside::default(),
             stale: Change::everything(),

@@ -30,6 +30,9 @@ pub struct Rescue {
     saved_at_ms: u64,
     /// As a scene file says it.
     pub scene: String,
+    /// What can be undone, as [`Past`](cloudwright_core::document::Past) says it.
+    #[serde(default)]
+    pub past: String,
 }
 
 /// The place of one editor.
@@ -51,12 +54,12 @@ pub struct Orphan {
 
 impl Rescue {
     /// Of a scene, now. A path that JSON can't say is left out; the scene matters more.
-    pub fn new(path: Option<&Path>, known: Option<Stamp>, scene: String) -> Self {
+    pub fn new(path: Option<&Path>, known: Option<Stamp>, scene: String, past: String) -> Self {
         let path = path.and_then(|path| std::path::absolute(path).ok()).filter(|path| path.to_str().is_some());
         let since_1970 = SystemTime::now().duration_since(SystemTime::UNIX_EPOCH).unwrap_or_default();
         let saved_at_ms = u64::try_from(since_1970.as_millis()).unwrap_or(u64::MAX);
         let known = known.filter(Stamp::can_be_said);
-        Self { format: FORMAT.into(), version: VERSION, path, known, saved_at_ms, scene }
+        Self { format: FORMAT.into(), version: VERSION, path, known, saved_at_ms, scene, past }
     }
 
     /// When it was kept, to a millisecond.
@@ -155,7 +158,7 @@ mod tests {
         assert!(orphans(&folders).is_empty());
         let (first, second) =
             (RecoverySlot::claim(&folders).expect("writable"), RecoverySlot::claim(&folders).expect("writable"));
-        let rescue = Rescue::new(Some(Path::new("/a.cloudscene")), None, "{}".into());
+        let rescue = Rescue::new(Some(Path::new("/a.cloudscene")), None, "{}".into(), String::new());
         for slot in [&first, &second] {
             rescue.write(slot.file()).expect("writable");
         }

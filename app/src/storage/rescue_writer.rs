@@ -6,9 +6,10 @@
 //! [last call](RescueWriter::last_call): what still rests is written then.
 
 use super::{Folders, RecoverySlot, Rescue, Stamp, StorageError};
+use cloudwright_core::document::Past;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::Scene;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread::{self, JoinHandle};
@@ -21,6 +22,9 @@ const REST_AFTER_FAILURE: Duration = Duration::from_secs(2);
 /// A program that is told to end waits so long for a disk that doesn't answer.
 const PATIENCE: Duration = Duration::from_secs(30);
 
+/// Of what can be undone, so much is kept with it.
+const MOST_PAST_BYTES: usize = 32 << 20;
+
 /// A scene that its file doesn't hold.
 #[derive(Debug, Clone)]
 pub struct Unsaved {
@@ -30,12 +34,14 @@ pub struct Unsaved {
     pub path: Option<PathBuf>,
     /// The file as it was last read or written here.
     pub known: Option<Stamp>,
+    /// What can be undone.
+    pub past: Past,
 }
 
 impl Unsaved {
-    /// Whether a rescue of the one is a rescue of the other.
-    pub fn is_same(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.scene, &other.scene) && self.path == other.path && self.known == other.known
+    /// Whether this is a rescue of that scene, whose file is that one.
+    pub fn is_of(&self, scene: &Arc<Scene>, path: Option<&Path>, known: Option<Stamp>) -> bool {
+        Arc::ptr_eq(&self.scene, scene) && self.path.as_deref() == path && self.known == known
     }
 }
 
@@ -266,7 +272,8 @@ impl<Wake: Fn()> Thread<Wake> {
         let slot = self.slot.insert(slot);
         // Numbers that JSON can't say are refused by every edit.
         let Ok(text) = scene_file::write(&unsaved.scene) else { return Ok(()) };
-        Rescue::new(unsaved.path.as_deref(), unsaved.known, text).write(slot.file())
+        let past = unsaved.past.write(MOST_PAST_BYTES);
+        Rescue::new(unsaved.path.as_deref(), unsaved.known, text, past).write(slot.file())
     }
 }
 
@@ -275,10 +282,14 @@ mod tests {
     use super::*;
     use crate::storage::orphans;
     use std::fs;
-    use std::path::Path;
 
     fn unsaved(name: &str) -> Unsaved {
-        Unsaved { scene: Arc::new(Scene { name: name.into(), ..Scene::default() }), path: None, known: None }
+        Unsaved {
+            scene: Arc::new(Scene { name: name.into(), ..Scene::default() }),
+            path: None,
+            known: None,
+            past: Past::default(),
+        }
     }
 
     /// Names of the scenes that are kept in a folder.

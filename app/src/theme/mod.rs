@@ -82,6 +82,8 @@ pub(crate) const PICTURE_NAME_GAP: f32 = 4.0;
 
 /// A selected box.
 pub(crate) const SELECTED_BOX: Stroke = Stroke { width: 1.5, color: Color32::from_rgb(255, 176, 64) };
+/// What a press would take.
+pub(crate) const HOVERED: Stroke = Stroke { width: 1.2, color: Color32::from_rgb(255, 226, 160) };
 /// A box of a selected cloud: there may be a hundred, and the cloud must be seen through them.
 pub(crate) const SELECTED_CLOUD: Stroke =
     Stroke { width: 1.2, color: Color32::from_rgba_premultiplied(96, 64, 22, 96) };

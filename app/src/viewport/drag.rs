@@ -1,7 +1,10 @@
 //! A drag of the selection, whether by a gizmo or by keys: what it has come to, as edits and in words.
 
+use super::onto::{Met, Planes};
+use super::screen::Screen;
 use super::targets::{Act, Targets};
 use crate::state::{Action, Reading, TimelineChange};
+use egui::Painter;
 use glam::DVec3;
 
 /// A drag from its beginning.
@@ -9,11 +12,59 @@ pub(super) struct Drag {
     pub(super) targets: Targets,
     /// What was done last; none while nothing was.
     act: Option<Act>,
+    /// What it may snap onto along each axis, with how far the targets reach along it, from when that was first asked for.
+    onto: Option<[(Planes, Vec<f64>); 3]>,
+    /// The faces that it lies in.
+    met: Vec<Met>,
 }
+
+/// Less is no move along an axis, metres.
+const LEAST_MOVE_M: f64 = 1e-6;
 
 impl Drag {
     pub(super) fn new(targets: Targets) -> Self {
-        Self { targets, act: None }
+        Self { targets, act: None, onto: None, met: Vec::new() }
+    }
+
+    /// Where the hand has moved the targets if that snaps: along each axis onto another box, else by steps.
+    pub(super) fn snapped(&mut self, by: DVec3, screen: &Screen, reading: &Reading<'_>) -> DVec3 {
+        let (targets, turn) = (&self.targets, self.targets.turn);
+        let onto = self.onto.get_or_insert_with(|| {
+            let moves = |cloud, model, each| targets.moves(cloud, model, each);
+            DVec3::AXES.map(|axis| {
+                let axis = turn * axis;
+                let planes = Planes::across(axis, moves, screen, reading);
+                (planes, targets.reaches(axis, reading.session.scene()))
+            })
+        });
+        let step_m = reading.view.snap.step_m;
+        self.met.clear();
+        let mut along = turn.conjugate() * by;
+        for (by_m, (planes, reaches)) in along.as_mut().iter_mut().zip(onto) {
+            if by_m.abs() < LEAST_MOVE_M {
+                continue;
+            }
+            let own = reaches.iter().map(|reach| reach + *by_m);
+            match planes.nearest(own, targets.pivot + by, screen) {
+                Some(met) => {
+                    *by_m += met.by_m;
+                    self.met.push(met);
+                }
+                None if step_m > 0.0 => *by_m = (*by_m / step_m).round() * step_m,
+                None => {}
+            }
+        }
+        turn * along
+    }
+
+    /// Nothing snaps any more.
+    pub(super) fn let_go(&mut self) {
+        self.met.clear();
+    }
+
+    /// Shows what it lies in.
+    pub(super) fn paint_met(&self, painter: &Painter, screen: &Screen) {
+        self.met.iter().for_each(|met| met.paint(painter, screen));
     }
 
     /// Asks for what brings the targets where `act` says.

@@ -3,6 +3,7 @@
 //! They are widgets, so they take the pointer before the viewport does, and arrow keys move a focused one by a step.
 
 use super::grip;
+use super::onto::{Met, Planes};
 use super::overlay;
 use super::places::Places;
 use super::screen::Screen;
@@ -12,7 +13,7 @@ use crate::widget::name_it;
 use cloudwright_core::arrange::{ModelSpace, fill};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::BOX_SIZE;
-use cloudwright_core::scene::{CloudBox, ModelId};
+use cloudwright_core::scene::{BoxId, CloudBox, ModelId};
 use egui::{
     CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect, Response, Sense, StrokeKind, Ui, Vec2, vec2,
 };
@@ -76,6 +77,8 @@ struct Held {
     space: ModelSpace,
     /// Where the drag began.
     from: Pos2,
+    /// What the face may snap onto.
+    onto: Planes,
 }
 
 impl Faces {
@@ -108,13 +111,19 @@ impl Faces {
             name_it(ui, &response, &face.name());
             if response.drag_started_by(egui::PointerButton::Primary) {
                 let from = ui.input(|input| input.pointer.press_origin()).unwrap_or(at);
-                self.held = Some(Held { face, start: each.clone(), model, space, from });
+                let normal = space.turn * each.orientation * face.normal();
+                let own = |_, of: ModelId, id: BoxId| (of, id) == (model, each.id);
+                let onto = Planes::across(normal, own, screen, reading);
+                self.held = Some(Held { face, start: each.clone(), model, space, from, onto });
             }
             if response.dragged()
                 && let (Some(held), Some(to)) = (&self.held, response.interact_pointer_pos())
-                && let Some(new) = held.dragged(to, snap_m(ui, reading), reading.view.keep_fill, screen)
+                && let Some((new, met)) = held.dragged(to, snap_m(ui, reading), reading.view.keep_fill, screen)
             {
                 let side_m = new.size[face.axis] * space.scale;
+                if let Some(met) = met {
+                    met.paint(painter, screen);
+                }
                 overlay::label(painter, to + vec2(16.0, 16.0), &format!("{side_m:.1} m"));
                 actions.push(Action::change(NAME, Edit::Box(held.model, ListEdit::Replace(new)), true));
             }
@@ -129,16 +138,29 @@ impl Faces {
 }
 
 impl Held {
-    /// The box with its face where the hand is.
-    fn dragged(&self, to: Pos2, snap_m: Option<f64>, keeps_fill: bool, screen: &Screen) -> Option<CloudBox> {
-        let Self { face, start, space, from, .. } = self;
+    /// The box with its face where the hand is, or in the face of another one that it snaps onto.
+    fn dragged(
+        &self,
+        to: Pos2,
+        snap_m: Option<f64>,
+        keeps_fill: bool,
+        screen: &Screen,
+    ) -> Option<(CloudBox, Option<Met>)> {
+        let Self { face, start, space, from, onto, .. } = self;
         let normal = space.turn * start.orientation * face.normal();
         let center = face.center_in_world(space, start);
         let pulled_m = screen.along(to, center, normal)? - screen.along(*from, center, normal)?;
         let old_m = start.size[face.axis] * space.scale;
-        let side_m = snap_m.map_or(old_m + pulled_m, |step| ((old_m + pulled_m) / step).round() * step);
-        let least_m = snap_m.unwrap_or(LEAST_SIDE_M);
-        Some(face.moved(start, (side_m - old_m) / space.scale, least_m / space.scale, keeps_fill))
+        let hand = center + normal * pulled_m;
+        let met = snap_m.and_then(|_| onto.nearest([onto.along(hand)], hand, screen));
+        // Onto a face that lies behind the opposite one it can't.
+        let met = met.filter(|met| old_m + pulled_m + met.by_m >= LEAST_SIDE_M);
+        let (side_m, least_m) = match (&met, snap_m) {
+            (Some(met), _) => (old_m + pulled_m + met.by_m, LEAST_SIDE_M),
+            (None, Some(step)) => (((old_m + pulled_m) / step).round() * step, step),
+            (None, None) => (old_m + pulled_m, LEAST_SIDE_M),
+        };
+        Some((face.moved(start, (side_m - old_m) / space.scale, least_m / space.scale, keeps_fill), met))
     }
 }
 
@@ -196,7 +218,6 @@ fn paint(painter: &Painter, at: Pos2, response: &Response) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cloudwright_core::scene::BoxId;
     use glam::DQuat;
 
     #[test]

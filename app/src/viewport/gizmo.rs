@@ -91,9 +91,9 @@ impl GizmoHands {
         self.gizmo.update_config(GizmoConfig {
             modes,
             orientation: orientation(targets),
-            snapping: snaps,
+            // Moves snap onto others before they snap to steps, which the crate knows nothing of.
+            snapping: snaps && tool != Tool::Move,
             snap_angle: snap.angle_deg.to_radians() as f32,
-            snap_distance: snap.step_m as f32,
             snap_scale: snap.scale as f32,
             pixels_per_point: ui.pixels_per_point(),
             visuals: visuals(),
@@ -122,10 +122,18 @@ impl GizmoHands {
                 self.held = Some(Held { tool, drag: Drag::new(targets), aside });
             }
             if let Some(held) = &mut self.held {
-                held.drag.follow(act(result, turn, snap_angle), reading, actions);
+                held.drag.let_go();
+                let act = match act(result, turn, snap_angle) {
+                    Act::Move(by) if snaps => Act::Move(held.drag.snapped(by, screen, reading)),
+                    act => act,
+                };
+                held.drag.follow(act, reading, actions);
             }
         }
         painter.add(Shape::mesh(mesh(&self.gizmo)));
+        if let Some(held) = &self.held {
+            held.drag.paint_met(painter, screen);
+        }
         if let Some((text, at)) = self.held.as_ref().and_then(|held| held.drag.readout()).zip(at) {
             overlay::label(painter, at + vec2(16.0, 16.0), &text);
         }

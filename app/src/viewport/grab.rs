@@ -176,12 +176,17 @@ impl Held {
             self.around += turned_between(self.last - pivot, at - pivot);
         }
         self.last = at;
-        let act = self.act(at, input.snaps, screen, reading);
+        self.drag.let_go();
+        let act = match self.act(at, input.snaps, screen, reading) {
+            Act::Move(by) if input.snaps && self.typed.is_empty() => Act::Move(self.drag.snapped(by, screen, reading)),
+            act => act,
+        };
         self.drag.follow(act, reading, actions);
         if input.done {
             return Grab::Ended;
         }
         self.paint_axes(painter, screen);
+        self.drag.paint_met(painter, screen);
         overlay::label(painter, at + vec2(16.0, 16.0), &self.words());
         Grab::Held(self)
     }
@@ -217,17 +222,14 @@ impl Held {
             Grabbed::Place => {
                 let along = |axis: usize| match typed {
                     Some(metres) => self.axis(axis) * metres,
-                    None => self.axis(axis) * stepped(self.along(axis, at, screen), snap.step_m),
+                    None => self.axis(axis) * self.along(axis, at, screen),
                 };
                 Act::Move(match (self.keep_to, typed) {
                     (KeepTo::Axis(axis), _) => along(axis),
                     // As in Blender, a number alone is along the first axis.
                     (KeepTo::All, Some(_)) => along(0),
                     (KeepTo::Plane(axis), Some(_)) => along(if axis == 0 { 1 } else { 0 }),
-                    (keep_to, None) => {
-                        let by = self.drag.targets.turn.conjugate() * self.across(keep_to, at, screen);
-                        self.drag.targets.turn * DVec3::from(by.to_array().map(|metres| stepped(metres, snap.step_m)))
-                    }
+                    (keep_to, None) => self.across(keep_to, at, screen),
                 })
             }
             Grabbed::Turn => {

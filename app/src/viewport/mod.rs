@@ -15,6 +15,7 @@ mod fly_control;
 mod gizmo;
 mod grab;
 mod grip;
+mod hover;
 mod hud;
 mod keyed_clouds;
 mod lens;
@@ -24,6 +25,7 @@ mod marquee;
 mod memory;
 mod navigation;
 mod on_board;
+mod onto;
 mod overlay;
 mod paths;
 mod pick;
@@ -53,6 +55,7 @@ use fly_control::FlyControl;
 use gizmo::{GizmoHands, Touch};
 use glam::DVec3;
 use grab::Grab;
+use hover::Hover;
 use hud::Readout;
 use marks::Marks;
 use marquee::Marquee;
@@ -76,6 +79,7 @@ pub(crate) struct Viewport {
     marks: Marks,
     paths: Paths,
     clicks: Clicks,
+    hover: Hover,
     marquee: Marquee,
     gizmo: GizmoHands,
     grab: Grab,
@@ -103,6 +107,7 @@ impl Viewport {
             marks: Marks::default(),
             paths: Paths::default(),
             clicks: Clicks::default(),
+            hover: Hover::default(),
             marquee: Marquee::default(),
             gizmo: GizmoHands::default(),
             grab: Grab::default(),
@@ -349,6 +354,7 @@ impl Viewport {
         let on_face = self.faces.show(ui, painter, screen, reading, actions);
         let touch = self.gizmo.show(ui, response, painter, screen, reading, actions);
         let (modifiers, pressed) = ui.input(|input| (input.modifiers, input.pointer.primary_pressed()));
+        self.show_hover(ui, response, painter, screen, touch, reading);
         if pressed
             && response.contains_pointer()
             && touch == Touch::None
@@ -370,6 +376,24 @@ impl Viewport {
         {
             self.click(at, marquee::how(modifiers, Choose::Toggle), screen, reading, actions);
         }
+    }
+
+    /// What a press would take, where that is not the gizmo, and nothing moves.
+    fn show_hover(
+        &mut self,
+        ui: &Ui,
+        response: &Response,
+        painter: &Painter,
+        screen: &Screen,
+        touch: Touch,
+        reading: &Reading<'_>,
+    ) {
+        let at = response.hover_pos().filter(|_| touch == Touch::None && !self.fly_control.is_held());
+        let is_busy = ui.input(|input| input.pointer.any_down()) || reading.clock.moves() || self.marquee.is_on();
+        let Some(at) = at.filter(|_| !is_busy && self.on_board.is_none()) else { return self.hover.leave() };
+        let (paths, clicks, camera) = (&self.paths, &self.clicks, self.navigation.camera());
+        let find = || hover::over(paths.under(at, screen), clicks, at, screen, camera, reading);
+        self.hover.show(painter, at, screen, camera, reading, find);
     }
 
     fn click(

@@ -41,16 +41,32 @@ pub(super) struct Clicks {
 impl Clicks {
     /// What a click means now; none for a click on nothing.
     pub(super) fn pick(&mut self, at: Pos2, screen: &Screen, camera: &Camera, reading: &Reading<'_>) -> Option<Picked> {
+        let next = self.next(at, screen, camera, reading);
+        self.last = next.map(|(place, index, _)| (place, camera.clone(), index));
+        next.map(|(.., picked)| picked)
+    }
+
+    /// What a click would mean.
+    pub(super) fn would_pick(
+        &self,
+        at: Pos2,
+        screen: &Screen,
+        camera: &Camera,
+        reading: &Reading<'_>,
+    ) -> Option<Picked> {
+        self.next(at, screen, camera, reading).map(|(.., picked)| picked)
+    }
+
+    /// What the next click at a place takes, as which of what lies there; and the place that it counts as.
+    fn next(&self, at: Pos2, screen: &Screen, camera: &Camera, reading: &Reading<'_>) -> Option<(Pos2, usize, Picked)> {
         let under = under(at, screen, reading);
-        let again = self.last.take().filter(|(place, seen, _)| place.distance(at) <= SAME_PLACE && seen == camera);
-        let place = again.as_ref().map_or(at, |(place, ..)| *place);
+        let again = self.last.as_ref().filter(|(place, seen, _)| place.distance(at) <= SAME_PLACE && seen == camera);
+        let place = again.map_or(at, |(place, ..)| *place);
         let index = match again {
             Some((.., index)) => (index + 1) % under.len().max(1),
             None => first(&under, reading),
         };
-        let picked = under.get(index).copied();
-        self.last = picked.map(|_| (place, camera.clone(), index));
-        picked
+        Some((place, index, *under.get(index)?))
     }
 }
 

@@ -8,7 +8,9 @@ use crate::state::{Item, Reading, Tool, ViewState, box_of, group_of};
 use cloudwright_core::arrange::{ModelSpace, fill, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::{BOX_SIZE, CLOUD_SCALE, POSITION};
-use cloudwright_core::scene::{Cloud, CloudBox, GroupCenter, InScene, ModelId, PoseMut, Scene, ShadingGroup};
+use cloudwright_core::scene::{
+    BoxId, Cloud, CloudBox, CloudId, GroupCenter, InScene, ModelId, PoseMut, Scene, ShadingGroup,
+};
 use cloudwright_core::sprites::GroupKey;
 use glam::{DQuat, DVec3, EulerRot};
 use std::f64::consts::PI;
@@ -144,6 +146,29 @@ impl Targets {
     /// Whether it is one box, which may be stretched along its axes.
     pub(super) fn is_single_box(&self) -> bool {
         self.boxes.len() == 1 && self.clouds.is_empty() && self.posed.is_empty()
+    }
+
+    /// Whether that box of that cloud goes along: itself, with its cloud, or with its model.
+    pub(super) fn moves(&self, cloud: CloudId, model: ModelId, id: BoxId) -> bool {
+        let its_cloud = self.clouds.iter().any(|(each, _)| each.id == cloud);
+        its_cloud || self.boxes.iter().any(|(_, of, each)| (*of, each.id) == (model, id))
+    }
+
+    /// How far each box and cloud reaches along `direction` from the world's origin, both ways, metres.
+    pub(super) fn reaches(&self, direction: DVec3, scene: &Scene) -> Vec<f64> {
+        let box_reach = |space: &ModelSpace, each: &CloudBox| {
+            let along = |axis: usize| (space.turn * (each.orientation * DVec3::AXES[axis])).dot(direction).abs();
+            let half = (0..3).map(|axis| along(axis) * each.size[axis] * 0.5).sum::<f64>() * space.scale;
+            let middle = space.to_world(each.center).dot(direction);
+            [middle - half, middle + half]
+        };
+        let of_boxes = self.boxes.iter().map(|(space, _, each)| box_reach(space, each));
+        let of_clouds = self.clouds.iter().filter_map(|(cloud, _)| {
+            let space = ModelSpace::of(cloud);
+            let reaches = scene.model(cloud.model)?.boxes.iter().map(|each| box_reach(&space, each));
+            reaches.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])])
+        });
+        of_boxes.chain(of_clouds).flatten().collect()
     }
 
     /// The clouds where `act` brings them, without what the air does.

@@ -57,6 +57,12 @@ pub(super) fn paint_selected(painter: &Painter, screen: &Screen, cloud: &Cloud, 
     outline(painter, screen, cloud, each, theme::SELECTED_BOX);
 }
 
+/// Paints a box as one that a press would take.
+pub(super) fn paint_hovered(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox) {
+    outline(painter, screen, cloud, each, theme::casing(theme::HOVERED));
+    outline(painter, screen, cloud, each, theme::HOVERED);
+}
+
 /// A box's tint: that of the group it shares, or of its own.
 fn tint(each: &CloudBox) -> Color32 {
     theme::tint_of(each.group.map_or(GroupKey::Lump(each.id, 0), GroupKey::Named))

@@ -38,7 +38,7 @@ impl<'a> History<'a> {
 
     fn points(&self) -> impl Iterator<Item = &'a UndoPoint> + use<'a> {
         let Document { done, undone, .. } = self.document;
-        done.iter().chain(undone.iter().rev())
+        done.iter().chain(undone.iter().rev()).map(AsRef::as_ref)
     }
 }
 

@@ -6,12 +6,14 @@
 
 mod edit;
 mod history;
+mod past;
 mod set;
 mod told;
 mod transaction;
 
 pub use edit::{Edit, ListEdit};
 pub use history::History;
+pub use past::Past;
 pub use set::{ForEditable, for_each_editable};
 
 pub use crate::change::Change;
@@ -19,6 +21,7 @@ pub use crate::change::Change;
 use crate::problem::{self, Problem, Severity};
 use crate::property::{Address, Refusal};
 use crate::scene::Scene;
+use std::sync::Arc;
 use transaction::{Transaction, UndoPoint};
 
 /// An open scene with its history.
@@ -26,9 +29,9 @@ use transaction::{Transaction, UndoPoint};
 pub struct Document {
     scene: Scene,
     /// Points that can be undone, oldest first.
-    done: Vec<UndoPoint>,
+    done: Vec<Arc<UndoPoint>>,
     /// Points that can be redone, next one last.
-    undone: Vec<UndoPoint>,
+    undone: Vec<Arc<UndoPoint>>,
     open: Option<Transaction>,
     /// The state that was last saved; none if that is no state of the history.
     saved_at: Option<SavedMark>,
@@ -38,7 +41,7 @@ pub struct Document {
 
 /// A state of the scene in its history: after which undo point, counted through all that were ever made; 0 at the
 /// start. A mark is taken when saving begins and handed back when the file is whole, whatever was edited meanwhile.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct SavedMark(u64);
 
 /// Why a scene was not changed.
@@ -143,7 +146,7 @@ impl Document {
         }
         self.made_count += 1;
         point.mark = SavedMark(self.made_count);
-        self.done.push(point);
+        self.done.push(Arc::new(point));
         self.undone.clear();
         Ok(())
     }
@@ -196,7 +199,7 @@ impl Document {
         }
         let point = self.done.pop()?;
         let (forward, change) = point.reverse(&mut self.scene);
-        self.undone.push(forward);
+        self.undone.push(Arc::new(forward));
         Some(change)
     }
 
@@ -207,7 +210,7 @@ impl Document {
         }
         let point = self.undone.pop()?;
         let (backward, change) = point.reverse(&mut self.scene);
-        self.done.push(backward);
+        self.done.push(Arc::new(backward));
         Some(change)
     }
 

@@ -6,14 +6,17 @@
 
 use super::edit::{Edit, Part};
 use super::{Change, SavedMark};
+use crate::problem::{self, Severity};
 use crate::scene::Scene;
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 
 /// What takes the scene across one step of its history.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub(super) struct UndoPoint {
     pub(super) name: String,
     /// The state that the point leads to when done.
+    #[serde(skip)]
     pub(super) mark: SavedMark,
     /// Applied last to first.
     inverses: Vec<Edit>,
@@ -49,6 +52,19 @@ impl Transaction {
 }
 
 impl UndoPoint {
+    /// A scene without errors, which may not be the one that the point was made for, taken across it; none if it does not
+    /// fit or would leave errors.
+    pub(super) fn lead_back(&self, scene: &Scene) -> Option<Scene> {
+        let mut scene = scene.clone();
+        let mut change = Change::default();
+        for edit in self.inverses.iter().rev() {
+            change.join(edit.change());
+            edit.clone().apply(&mut scene).ok()?;
+        }
+        let errors = problem::check_touched(&scene, &change);
+        errors.iter().all(|problem| problem.severity != Severity::Error).then_some(scene)
+    }
+
     /// Applies its edits last to first, and gives the point that leads back and what was touched.
     pub(super) fn reverse(&self, scene: &mut Scene) -> (Self, Change) {
         let mut change = Change::default();

@@ -5,7 +5,7 @@ use cloudwright::command::Command;
 use cloudwright::state::{Item, Selection};
 use cloudwright_core::scene::{ColorLevels, DailyTable};
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, Pos2, Vec2, vec2};
+use egui::{Event, Key, Modifiers, Pos2, Vec2, pos2, vec2};
 use egui_kittest::kittest::{NodeT, Queryable};
 
 /// A window with the starter's cloud selected.
@@ -136,6 +136,37 @@ fn a_colour_is_picked() {
     window.press("Undo");
     window.press("Undo");
     assert_eq!((levels(&window, 0), window.undo_name()), (before, None), "the drag was one step");
+}
+
+/// The scene shows what a preset would do while the pointer is over it, and is as before when the pointer has gone.
+#[test]
+fn presets_show_what_they_would_do() {
+    let mut window = with_cloud();
+    let (before, name) = (levels(&window, 0), window.undo_name());
+    let file = window.file();
+    window.press("Presets of colour levels");
+    let over = |window: &mut Window, label: &str| {
+        let at = window.harness.get_by_label(label).rect().center();
+        window.harness.event(Event::PointerMoved(at));
+        window.harness.run_steps(3);
+        levels(window, 0)
+    };
+    let rain = over(&mut window, "Rain");
+    assert_ne!(rain, before);
+    let veil = over(&mut window, "Thin veil");
+    assert!(veil != before && veil != rain);
+    window.harness.event(Event::PointerMoved(pos2(5.0, 790.0)));
+    window.harness.run_steps(3);
+    assert_eq!((levels(&window, 0), window.undo_name(), window.file()), (before, name.clone(), file));
+    assert_eq!(over(&mut window, "Rain"), rain);
+    window.press("Rain");
+    assert_eq!((levels(&window, 0), window.undo_name().as_deref()), (rain, Some("Preset of colour levels")));
+    window.press("Undo");
+    assert_eq!((levels(&window, 0), window.undo_name()), (before, name), "one step");
+    window.press("Presets of colour levels");
+    over(&mut window, "Rain");
+    window.keys(Modifiers::NONE, Key::Escape);
+    assert_eq!(levels(&window, 0), before, "the list was left");
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! New, open, save and the questions before.
 
 use crate::Window;
+use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Reply};
 use cloudwright::opening;
 use cloudwright::saving;
@@ -28,6 +29,11 @@ fn what_is_saved_comes_back() {
     window.set("Sprites", 12.0);
     window.keys(Modifiers::COMMAND, Key::S);
     assert_eq!(window.script.asked.borrow().len(), 1, "the second time it knows where");
+    for (command, ask) in [(Command::Open, Ask::Open(path.clone())), (Command::Import, Ask::Arrive(path.clone()))] {
+        window.answer(Reply::Cancelled);
+        window.command(command);
+        assert_eq!(window.script.asked.borrow().last(), Some(&ask), "it begins in the scene's folder");
+    }
     let mut again = Window::open();
     again.answer(Reply::Path(path));
     again.keys(Modifiers::COMMAND, Key::O);

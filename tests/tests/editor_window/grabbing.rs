@@ -4,6 +4,8 @@ use crate::Window;
 use crate::tools::opened;
 use cloudwright::command::Command;
 use cloudwright::state::Item;
+use cloudwright_core::arrange::ModelSpace;
+use cloudwright_core::scene::CloudBox;
 use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
@@ -55,6 +57,71 @@ fn face_handles_are_taken_from_nine_points_away() {
     let face = window.harness.get_by_label("Face +x").rect().center();
     window.drag(face + vec2(8.0, 7.0), vec2(60.0, 0.0));
     assert!(window.primary_box().size.x > before.size.x + 50.0);
+}
+
+/// One box beside the body, 400 m each way, its middle 900 m east of the body's and level with it; it is selected, and the
+/// hand snaps.
+fn beside_the_body() -> (Window, ModelSpace) {
+    let mut window = opened();
+    window.press("body");
+    let body = window.primary_box();
+    window.press("Add box");
+    for (axis, middle) in ["x", "y", "z"].iter().zip((body.center + DVec3::X * 900.0).to_array()) {
+        window.set(&format!("Centre {axis}"), middle);
+        window.set(&format!("Size {axis}"), 400.0);
+    }
+    window.press("Snap");
+    let space = ModelSpace::of(&window.scene().clouds[0]);
+    (window, space)
+}
+
+fn body_of(window: &Window) -> CloudBox {
+    window.scene().models[0].boxes.iter().find(|each| each.name == "body").expect("it stays").clone()
+}
+
+/// Three points short of the body's side, or of its base, the hand is drawn onto it; with Ctrl it is not.
+#[test]
+fn faces_and_boxes_snap_onto_those_of_others() {
+    let (mut window, space) = beside_the_body();
+    let body = body_of(&window);
+    let wanted_x = body.center.x + body.size.x * 0.5;
+    let west = |each: &CloudBox| each.center.x - each.size.x * 0.5;
+    let handle = |window: &Window| window.harness.get_by_label("Face −x").rect().center();
+    let to = |window: &Window| {
+        let mine = window.primary_box();
+        let at = |x: f64| window.on_screen(space.to_world(mine.center.with_x(x)));
+        at(wanted_x) - at(west(&mine)) + vec2(3.0, 0.0)
+    };
+    let (from, by) = (handle(&window), to(&window));
+    let before = window.primary_box();
+    window.drag(from, by);
+    let after = window.primary_box();
+    assert!((west(&after) - wanted_x).abs() < 1e-6, "{} for {wanted_x}", west(&after));
+    let east = |each: &CloudBox| each.center.x + each.size.x * 0.5;
+    assert!((east(&after) - east(&before)).abs() < 1e-6, "the other side stays");
+    window.press("Undo");
+    let (from, by) = (handle(&window), to(&window));
+    window.drag_with(PointerButton::Primary, Modifiers::COMMAND | Modifiers::CTRL, from, by);
+    assert!((west(&window.primary_box()) - wanted_x).abs() > 1.0);
+    window.press("Undo");
+    // Moved downwards by a key, it comes to stand on the level of the body's base; by figures it goes where they say.
+    window.command(Command::SwitchKeymap);
+    let base = |each: &CloudBox| each.center.y - each.size.y * 0.5;
+    let mine = window.primary_box();
+    let at = |window: &Window, y: f64| window.on_screen(space.to_world(mine.center.with_y(y)));
+    let by = at(&window, base(&body)) - at(&window, base(&mine)) + vec2(0.0, -3.0);
+    let from = at(&window, mine.center.y);
+    window.hover(from);
+    window.type_keys(&[Key::G, Key::Y]);
+    window.hover(from + by);
+    window.confirm(from + by);
+    let moved = window.primary_box();
+    assert!((base(&moved) - base(&body)).abs() < 1e-6, "{} for {}", base(&moved), base(&body));
+    assert_eq!((moved.center.x, moved.size), (mine.center.x, mine.size));
+    window.hover(from);
+    window.type_keys(&[Key::G, Key::Y, Key::Num7]);
+    window.confirm(from);
+    assert!((window.primary_box().center.y - moved.center.y - 7.0).abs() < 1e-6);
 }
 
 /// In Blender's keymap.

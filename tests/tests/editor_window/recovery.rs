@@ -89,7 +89,7 @@ fn tracks_that_do_not_show_are_kept() {
 }
 
 #[test]
-fn unsaved_work_comes_back_after_a_crash() {
+fn unsaved_work_comes_back_after_a_crash_with_its_history() {
     let home = tempfile::tempdir().expect("a folder");
     let folders = || Some(Folders::within(home.path()));
     let path = home.path().join("sky.cloudscene");
@@ -99,6 +99,8 @@ fn unsaved_work_comes_back_after_a_crash() {
     window.press("Save");
     let saved = window.scene().clone();
     window.press("body");
+    window.set("Sprites", 70.0);
+    let between = window.scene().clone();
     window.set("Sprites", 77.0);
     assert_eq!(kept_count(home.path()), 1);
     let lost = window.scene().clone();
@@ -113,6 +115,14 @@ fn unsaved_work_comes_back_after_a_crash() {
     assert_eq!((again.scene(), again.session().path()), (&lost, Some(path.as_path())));
     assert!(again.session().document().is_modified());
     assert_eq!(opening::open_scene(&path).expect("a sound scene"), saved, "the file is as it was");
+    again.keys(Modifiers::COMMAND, Key::Z);
+    assert_eq!(again.scene(), &between);
+    again.keys(Modifiers::COMMAND, Key::Z);
+    assert_eq!(again.scene().models, saved.models);
+    assert!(again.session().document().is_modified(), "whether the file is so is not known");
+    again.command(Command::Redo);
+    again.command(Command::Redo);
+    assert_eq!(again.scene(), &lost);
     drop(again);
     let mut again = Window::open_with(folders());
     again.settle();

@@ -81,7 +81,10 @@ impl Dialogs {
     /// Asks for a path by hand.
     pub(super) fn ask_path(&mut self, ask: Ask) {
         let text = match &ask {
-            Ask::Open | Ask::Arrive => String::new(),
+            Ask::Open(scene) | Ask::Arrive(scene) => match scene.parent() {
+                Some(folder) => folder.join("").display().to_string(),
+                None => String::new(),
+            },
             Ask::Save(path)
             | Ask::Export(path)
             | Ask::Leave(path)

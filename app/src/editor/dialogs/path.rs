@@ -9,14 +9,14 @@ use std::path::PathBuf;
 /// Some(None) if the user changed their mind.
 pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Option<Option<PathBuf>> {
     let (title, verb) = match ask {
-        Ask::Open => ("Open scene", "Open"),
+        Ask::Open(_) => ("Open scene", "Open"),
         Ask::Save(_) => ("Save scene as", "Save"),
         Ask::SaveScript(_) => ("Save script as", "Save"),
         Ask::Export(_) | Ask::Leave(_) => ("Export as", "Export"),
         Ask::Picture(_) => ("Render picture to", "Render"),
         Ask::Video(_) => ("Render flight to", "Render"),
         Ask::Frames(_) => ("Folder for the frames", "Render"),
-        Ask::Arrive => ("Import", "Import"),
+        Ask::Arrive(_) => ("Import", "Import"),
         Ask::Model(..) => ("Choose model", "Choose"),
     };
     window(context, theme::DIALOG_WIDTH, title, None, |ui| {

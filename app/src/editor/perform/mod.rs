@@ -37,6 +37,12 @@ impl Editor {
                 Action::LookThrough(id) => self.look_through(id),
                 Action::SetFromView(id) => self.set_from_view(id),
                 Action::Change { name, edits, live } => self.change(name, edits, live),
+                Action::Preview { name, edits } => {
+                    self.previews = true;
+                    if !edits.is_empty() {
+                        self.change(name, edits, true);
+                    }
+                }
                 Action::Keys { name, rekeyed, live, choose } => self.change_keys(&name, rekeyed, live, choose),
                 Action::Timeline(change) => self.change_timeline(change),
                 Action::View(change) => self.change_view(change),
@@ -181,8 +187,8 @@ impl Editor {
         }
         match command {
             Command::New => self.want(Intent::New, context),
-            Command::Open => self.ask(Ask::Open, context),
-            Command::Import => self.ask(Ask::Arrive, context),
+            Command::Open => self.ask(Ask::Open(self.beside_what()), context),
+            Command::Import => self.ask(Ask::Arrive(self.beside_what()), context),
             Command::Export => self.ask_leaving(),
             Command::RenderPicture => self.ask_rendering(),
             Command::RenderFlight => self.ask_filming(),

@@ -16,7 +16,7 @@ use crate::widget::{checkerboard, choose_level, chosen_level, color32, name_it};
 use cloudwright_core::preset::LevelPreset;
 use cloudwright_core::scene::ColorLevels;
 use cloudwright_core::shading::level_color;
-use egui::{Button, Painter, Rect, ScrollArea, Sense, Ui, vec2};
+use egui::{Button, Painter, Rect, Response, ScrollArea, Sense, Ui, vec2};
 
 /// The panel.
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
@@ -48,8 +48,12 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
 fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut Vec<Action>) {
     let presets = ui.menu_button(format!("Presets {}", icon::CARET_DOWN), |ui| {
         for preset in LevelPreset::all() {
-            if offer(ui, preset) {
-                actions.push(color_levels::replace(reading, "Preset of colour levels", preset.levels));
+            let offered = offer(ui, preset);
+            let replaced = color_levels::replace(reading, "Preset of colour levels", preset.levels);
+            if offered.clicked() {
+                actions.push(replaced);
+            } else if offered.hovered() {
+                actions.push(replaced.previewed());
             }
         }
     });
@@ -73,12 +77,12 @@ fn tools(ui: &mut Ui, reading: &Reading<'_>, levels: &ColorLevels, actions: &mut
     name_it(ui, &arrange.response, "Arrange colour levels");
 }
 
-fn offer(ui: &mut Ui, preset: &LevelPreset) -> bool {
+fn offer(ui: &mut Ui, preset: &LevelPreset) -> Response {
     const SWATCH: egui::Vec2 = vec2(18.0, 20.0);
     ui.horizontal(|ui| {
         let (rect, _) = ui.allocate_exact_size(SWATCH, Sense::hover());
         paint_gradient(ui.painter(), rect, &preset.levels);
-        ui.button(preset.label).clicked()
+        ui.button(preset.label)
     })
     .inner
 }
