@@ -6,7 +6,8 @@ use cloudwright::command::Command;
 use cloudwright::state::Item;
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::scene::CloudBox;
-use egui::{Event, Key, Modifiers, PointerButton, Pos2, pos2, vec2};
+use egui::epaint::TextShape;
+use egui::{Event, Key, Modifiers, PointerButton, Pos2, Shape, pos2, vec2};
 use egui_kittest::kittest::Queryable;
 use glam::DVec3;
 
@@ -59,7 +60,7 @@ fn face_handles_are_taken_from_nine_points_away() {
     assert!(window.primary_box().size.x > before.size.x + 50.0);
 }
 
-/// One box beside the body, 400 m each way, its middle 900 m east of the body's and level with it; it is selected, and the
+/// One box beside the body, 400 m wide and 430 m tall, its middle 900 m east of the body's and level with it; it is selected, and the
 /// hand snaps.
 fn beside_the_body() -> (Window, ModelSpace) {
     let mut window = opened();
@@ -70,6 +71,8 @@ fn beside_the_body() -> (Window, ModelSpace) {
         window.set(&format!("Centre {axis}"), middle);
         window.set(&format!("Size {axis}"), 400.0);
     }
+    // No top of another box is as high above the body's base.
+    window.set("Size y", 430.0);
     window.press("Snap");
     let space = ModelSpace::of(&window.scene().clouds[0]);
     (window, space)
@@ -109,7 +112,7 @@ fn faces_and_boxes_snap_onto_those_of_others() {
     let base = |each: &CloudBox| each.center.y - each.size.y * 0.5;
     let mine = window.primary_box();
     let at = |window: &Window, y: f64| window.on_screen(space.to_world(mine.center.with_y(y)));
-    let by = at(&window, base(&body)) - at(&window, base(&mine)) + vec2(0.0, -3.0);
+    let by = at(&window, base(&body)) - at(&window, base(&mine)) + vec2(0.0, 3.0);
     let from = at(&window, mine.center.y);
     window.hover(from);
     window.type_keys(&[Key::G, Key::Y]);
@@ -122,6 +125,35 @@ fn faces_and_boxes_snap_onto_those_of_others() {
     window.type_keys(&[Key::G, Key::Y, Key::Num7]);
     window.confirm(from);
     assert!((window.primary_box().center.y - moved.center.y - 7.0).abs() < 1e-6);
+}
+
+/// Whether something in the picture has that name beside it.
+fn named(window: &Window, name: &str) -> bool {
+    let (shapes, picture) = (&window.harness.output().shapes, window.viewport());
+    let is_name = |text: &TextShape| text.galley.text() == name && picture.contains(text.pos);
+    shapes.iter().any(|shape| matches!(&shape.shape, Shape::Text(text) if is_name(text)))
+}
+
+/// Over a cloud its name shows, over nothing none does; nor over what is selected already, but for the box that the next
+/// press takes.
+#[test]
+fn the_pointer_shows_what_a_press_would_take() {
+    let (mut window, _, pivot) = with_cloud();
+    let name = window.scene().clouds[0].name.clone();
+    window.select([]);
+    let shows = |window: &mut Window, at: Pos2| {
+        window.hover(at);
+        named(window, &name)
+    };
+    assert!(shows(&mut window, pivot));
+    let sky = window.viewport().left_top() + vec2(40.0, 200.0);
+    assert!(!shows(&mut window, sky), "the sky");
+    assert!(shows(&mut window, pivot));
+    window.click(pivot, Modifiers::NONE);
+    assert_eq!(window.primary(), Some(Item::Cloud(window.scene().clouds[0].id)), "what was shown was taken");
+    assert!(!shows(&mut window, pivot), "a box is next");
+    window.press("Box tool");
+    assert!(!shows(&mut window, pivot), "that tool takes nothing");
 }
 
 /// In Blender's keymap.
