@@ -71,7 +71,7 @@ impl<'a> Frame<'a> {
         let (order, fading) = history.order.orders();
         let (veil, veil_directional) = veil((clouds, &poses), (&view, &now.light, atlas, hidden), now.inside_density);
         Self {
-            background: background(&now, view.eye),
+            background: background(&now, view.eye).without(hidden),
             list: DrawList::new(&choice, &view, order),
             fading: fading.map(|(order, share)| (DrawList::new(&choice, &view, Some(order)), share)),
             veil,

@@ -31,6 +31,10 @@ pub struct Hidden {
     pub clouds: BTreeSet<CloudId>,
     /// The sprites of these boxes, in every cloud of their model.
     pub boxes: BTreeSet<BoxId>,
+    /// The haze before everything.
+    pub haze: bool,
+    /// The ground.
+    pub ground: bool,
 }
 
 /// A sprite to draw.

@@ -14,8 +14,12 @@ pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook};
 pub use rows::BackgroundRows;
 
 use crate::color::Rgb;
+use crate::draw_list::Hidden;
 use crate::math::exp;
 use glam::Vec3;
+
+/// The haze length of air without any, metres: no scene is so wide that its share would be more than nothing.
+const CLEAR_M: f32 = 1e20;
 
 /// Everything behind the clouds, and the haze before it, at one moment.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,6 +33,12 @@ pub struct Background {
 }
 
 impl Background {
+    /// What is left of it where some is hidden.
+    pub(crate) fn without(self, hidden: &Hidden) -> Self {
+        let haze_length_m = if hidden.haze { CLEAR_M } else { self.haze_length_m };
+        Self { ground: self.ground.filter(|_| !hidden.ground), haze_length_m, ..self }
+    }
+
     /// What is seen along `ray` (any length) where no cloud is; `footprint` is a pixel's angle, radians.
     pub fn color(&self, ray: Vec3, footprint: f32) -> Rgb {
         let direction = ray.normalize();

@@ -3,7 +3,7 @@
 
 use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
-use cloudwright_core::draw_list::{DrawList, Run};
+use cloudwright_core::draw_list::{DrawList, Hidden, Run};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::scene::{
     BoxId, Camera, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevel, GroupCenter, GroupId, GroupLight,
@@ -31,6 +31,8 @@ pub struct Case {
     pub now: fn(&mut SceneNow<'_>),
     /// And the list.
     pub list: fn(&mut DrawList),
+    /// What is left out.
+    pub hidden: Hidden,
 }
 
 const SIZE: [u32; 2] = [192, 128];
@@ -43,7 +45,8 @@ impl Case {
         let mut now =
             SceneNow::new(&self.scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
         (self.now)(&mut now);
-        let mut frame = Frame::of(now, &derived, Atlas::built_in(), &Sight::still(&self.camera, SIZE));
+        let sight = Sight { hidden: self.hidden.clone(), ..Sight::still(&self.camera, SIZE) };
+        let mut frame = Frame::of(now, &derived, Atlas::built_in(), &sight);
         (self.list)(&mut frame.list);
         draw(&frame)
     }
@@ -67,6 +70,7 @@ pub fn cases() -> Vec<Case> {
         clock_s: 0.0,
         now: |_| (),
         list: |_| (),
+        hidden: Hidden::default(),
     };
     let mut dusk = noon.seen("dusk_towards_the_sun", [300.0, 700.0, 1500.0], |camera| camera.heading_deg = -50.0);
     dusk.time_h = 20.6;
@@ -85,6 +89,14 @@ pub fn cases() -> Vec<Case> {
         background("background_dusk_with_sun", &noon, 20.9),
         background("background_night", &noon, 1.0),
         suns_disc(&noon),
+        Case { name: "without_haze", hidden: Hidden { haze: true, ..Hidden::default() }, ..steps_and_far_haze(&noon) },
+        Case {
+            hidden: Hidden { haze: true, ground: true, ..Hidden::default() },
+            ..noon.seen("from_far_off_without_ground", [0.0, 1000.0, 2.4e6], |camera| camera.field_of_view_deg = 0.029)
+        },
+        noon.seen("from_far_above", [0.0, 2.4e6, 0.0], |camera| {
+            (camera.pitch_deg, camera.field_of_view_deg) = (-90.0, 0.029);
+        }),
         moved(&noon, "moved_1000_km", DVec3::new(1.0e6, 0.0, -1.0e6)),
         dusk,
         no_ground,

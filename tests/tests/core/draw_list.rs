@@ -115,3 +115,27 @@ fn what_is_hidden_is_not_drawn() {
         assert!(layer.pixels.iter().all(|pixel| pixel.a == 0.0));
     }
 }
+
+/// Without haze, what is far has its own colour and light; without the ground, the sky goes on below the horizon.
+#[test]
+fn hidden_haze_and_ground_leave_the_background() {
+    let mut scene = heap(25);
+    scene.sky.haze_length_m = 2000.0;
+    let derived = Derived::new(&scene);
+    let mut camera = scene.cameras[0].clone();
+    (camera.position, camera.pitch_deg) = (DVec3::Y * 1000.0, -20.0);
+    let below = |hidden: Hidden| {
+        let sight = Sight { hidden, ..Sight::still(&camera, [64, 36]) };
+        let background = Frame::new(&scene, &derived, Atlas::built_in(), &sight).background;
+        // Some 10 km away: five lengths of haze.
+        let ray = Vec3::new(0.0, -0.1, -1.0);
+        let [color, sky] = [background.color(ray, 1e-3), background.dome.horizon(ray)];
+        (color.g / sky.g, background.ground.is_some())
+    };
+    let (hazed, has_ground) = below(Hidden::default());
+    assert!(hazed > 0.95 && has_ground, "{hazed}");
+    let (clear, has_ground) = below(Hidden { haze: true, ..Hidden::default() });
+    assert!(clear < 0.7 && has_ground, "{clear}");
+    let (sky, has_ground) = below(Hidden { ground: true, ..Hidden::default() });
+    assert!(sky > 0.95 && !has_ground, "{sky}");
+}
