@@ -185,6 +185,13 @@ commands! {
     View {
         FrameSelection: "Frame selection", "Bring the selection into view.", key(Key::F), Some(icon::CORNERS_OUT);
         FrameAll: "Frame all", "Bring all clouds into view.", key(Key::A), Some(icon::FRAME_CORNERS);
+        TopView: "Top view", "Look down on what is looked at, north at the top.", key(Key::Num7), None;
+        BottomView: "Bottom view", "Look up at what is looked at, south at the top.", ctrl(Key::Num7), None;
+        FrontView: "Front view", "Look north at what is looked at, from the south.", key(Key::Num1), None;
+        BackView: "Back view", "Look south at what is looked at, from the north.", ctrl(Key::Num1), None;
+        RightView: "Right view", "Look west at what is looked at, from the east.", key(Key::Num3), None;
+        LeftView: "Left view", "Look east at what is looked at, from the west.", ctrl(Key::Num3), None;
+        Orthographic: "Orthographic", "Look along rays that run side by side, so that what is far is no smaller; without haze.", key(Key::Num5), None;
         LookThrough: "Look through camera", "See what the selected camera sees, or the next one.", key(Key::C), Some(icon::CAMERA);
         AlignCamera: "Align camera to view", "Put the selected camera, or the first, where the view is.", ctrl_shift(Key::C), None;
         Hide: "Hide", "Hide the selection, or show it again.", key(Key::H), Some(icon::EYE_SLASH);
@@ -194,6 +201,8 @@ commands! {
         ShowBoxes: "Show all boxes", "Show or hide the outlines of all boxes.", shift(Key::B), Some(icon::CUBE_TRANSPARENT);
         SpriteMarks: "Mark sprites", "Mark sprites with dots, with outlines, or not at all.", key(Key::M), Some(icon::DOTS_THREE);
         GroupView: "Group view", "Show boxes and sprites in the tints of their shading groups.", key(Key::G), Some(icon::PAINT_BUCKET);
+        CameraPicture: "Camera's picture", "Show what the selected camera sees in a corner of the viewport.", NONE, None;
+        Haze: "Haze", "Show haze in the view, or leave it out while working; pictures in files have it.", NONE, None;
         SwitchTheme: "Dark or light", "Switch between the dark and the light look.", NONE, Some(icon::CIRCLE_HALF_TILT);
         SwitchUnits: "Metric or aviation units", "Show altitudes and speeds in metres and km/h, or in feet and knots.", NONE, None;
         SwitchKeymap: "Blender's keys", "Use Blender's keys where it has the command, such as G, R and S, or the editor's own.", NONE, None;

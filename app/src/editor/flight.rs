@@ -104,6 +104,6 @@ impl Editor {
         self.clock.pause();
         let length_s = self.clock.length_s(self.session.scene());
         self.clock.seek(since_start_s, length_s);
-        self.viewport.look_through(&camera, &self.session);
+        self.viewport.stand_at(&camera, &self.session);
     }
 }

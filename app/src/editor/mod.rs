@@ -323,6 +323,7 @@ impl Editor {
             flight_shown: layout.shows(Panel::Flight),
             script: &writing.script,
             library: plugins.library(),
+            picture_size: disk.settings().picture.size(),
             units: disk.settings().units,
         };
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {

@@ -39,6 +39,8 @@ pub(crate) struct Reading<'a> {
     pub(crate) script: &'a Script,
     /// The plugins that there are.
     pub(crate) library: &'a Library,
+    /// Of pictures that are drawn into files, pixels.
+    pub(crate) picture_size: [u32; 2],
     /// What altitudes and speeds are shown in.
     pub(crate) units: Units,
 }

@@ -129,6 +129,10 @@ pub struct ViewState {
     pub sprite_marks: SpriteMarks,
     /// Boxes and sprites in the tints of their shading groups.
     pub group_view: bool,
+    /// Whether there is haze.
+    pub haze: bool,
+    /// Whether a corner of the viewport shows what the chosen camera sees.
+    pub camera_picture: bool,
     /// When sprites are sorted again, unless a method says so.
     pub sorting: Sorting,
     /// By which method the picture is drawn; none for the window's own way.
@@ -158,6 +162,8 @@ impl Default for ViewState {
             show_all_boxes: false,
             sprite_marks: SpriteMarks::default(),
             group_view: false,
+            haze: true,
+            camera_picture: true,
             sorting: Sorting::default(),
             method: None,
             lens: Lens::default(),
@@ -195,12 +201,13 @@ impl ViewState {
 
     /// What the renderers leave out.
     pub(crate) fn hidden_in(&self, scene: &Scene) -> Hidden {
+        let hidden = Hidden { haze: !self.haze, ..Hidden::default() };
         if self.hidden.is_empty() && self.solo.is_empty() {
-            return Hidden::default();
+            return hidden;
         }
         let clouds = scene.clouds.iter().filter(|cloud| !self.shows(cloud));
         let boxes = self.hidden.iter().filter_map(|item| if let Item::Box(_, id) = item { Some(*id) } else { None });
-        Hidden { clouds: clouds.map(|cloud| cloud.id).collect(), boxes: boxes.collect() }
+        Hidden { clouds: clouds.map(|cloud| cloud.id).collect(), boxes: boxes.collect(), ..hidden }
     }
 
     /// Whether the pointer may pick `cloud`.
@@ -252,5 +259,7 @@ mod tests {
         view.hidden.clear();
         view.solo.insert(Item::Cloud(two));
         assert_eq!(view.hidden_in(&scene).clouds, [one].into());
+        view.haze = false;
+        assert!(view.hidden_in(&scene).haze && !view.hidden_in(&scene).ground);
     }
 }

@@ -95,6 +95,8 @@ pub(crate) const OTHER_BOX: Stroke = Stroke { width: 1.0, color: Color32::from_r
 pub(crate) const CAMERA: Stroke = Stroke { width: 1.2, color: Color32::from_rgb(200, 224, 255) };
 /// Under bright lines, so that they are seen on bright clouds.
 pub(crate) const CASING: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 90);
+/// How far that shows on each side, points.
+pub(crate) const CASING_WIDTH: f32 = 1.0;
 /// Of an edge's opacity: behind its own box.
 pub(crate) const FAR_EDGE: f32 = 0.4;
 /// A sprite that is marked.
@@ -147,6 +149,8 @@ pub(crate) const NOW: Color32 = Color32::from_rgb(232, 48, 58);
 pub(crate) const AUTO_KEY: Color32 = Color32::from_rgb(190, 36, 44);
 /// Behind text in the viewport.
 pub(crate) const VIEWPORT_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 110);
+/// Over what a camera that is looked through does not see.
+pub(crate) const AROUND_FRAME: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 130);
 /// Text in the viewport, on that shade.
 pub(crate) const VIEWPORT_TEXT: Color32 = Color32::from_gray(235);
 /// Behind instruments in the viewport, which must be read at a glance before a white cloud too.
@@ -266,9 +270,9 @@ pub(crate) fn overlay(ui: &Ui) -> Frame {
         .inner_margin(Margin::symmetric(6, 4))
 }
 
-/// What goes under a line, so that it is seen on bright clouds.
+/// What goes under a line, so that it is seen on bright clouds: as faint as the line is.
 pub(crate) fn casing(stroke: Stroke) -> Stroke {
-    Stroke { width: stroke.width + 2.0, color: CASING }
+    Stroke { width: stroke.width + 2.0 * CASING_WIDTH, color: CASING.gamma_multiply_u8(stroke.color.a()) }
 }
 
 /// A family of methods in charts: the colours of `chart.html`, told apart without red and green too.

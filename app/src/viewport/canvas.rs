@@ -56,6 +56,11 @@ impl Canvas {
         self.picture.is_by_gpu()
     }
 
+    /// How high the lower right corner is covered, points.
+    pub(super) fn legend_height(lens: Lens) -> f32 {
+        super::lens::legend_height(lens)
+    }
+
     /// What the last picture took.
     pub(super) fn time(&self) -> Option<Duration> {
         self.picture.time()

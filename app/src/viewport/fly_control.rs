@@ -96,6 +96,8 @@ impl FlyControl {
         if !self.is_flying() {
             return;
         }
+        // One flies where one is, not far behind it.
+        navigation.set_orthographic(false);
         let step = self.flight.advance(dt_s, &steering);
         navigation.turn_head(step.turn_deg);
         navigation.fly(step.way_m);

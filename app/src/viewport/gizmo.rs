@@ -130,7 +130,9 @@ impl GizmoHands {
                 held.drag.follow(act, reading, actions);
             }
         }
-        painter.add(Shape::mesh(mesh(&self.gizmo)));
+        let mesh = mesh(&self.gizmo);
+        painter.add(Shape::mesh(casing(&mesh)));
+        painter.add(Shape::mesh(mesh));
         if let Some(held) = &self.held {
             held.drag.paint_met(painter, screen);
         }
@@ -258,4 +260,18 @@ fn mesh(gizmo: &Gizmo) -> Mesh {
         color: Rgba::from_rgba_premultiplied(*r, *g, *b, *a).into(),
     });
     Mesh { vertices: vertices.collect(), indices: drawn.indices, ..Mesh::default() }
+}
+
+/// What goes under it, so that it is seen on bright clouds: its own shadows to four sides.
+fn casing(mesh: &Mesh) -> Mesh {
+    let mut casing = Mesh::default();
+    for side in [vec2(1.0, 0.0), vec2(0.0, 1.0), vec2(-1.0, 0.0), vec2(0.0, -1.0)] {
+        let mut shadow = mesh.clone();
+        for vertex in &mut shadow.vertices {
+            vertex.pos += side * theme::CASING_WIDTH;
+            vertex.color = theme::CASING.gamma_multiply_u8(vertex.color.a());
+        }
+        casing.append(shadow);
+    }
+    casing
 }

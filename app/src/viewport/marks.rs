@@ -164,6 +164,7 @@ fn mark(
             fill(mesh, quad, color.gamma_multiply(theme::GROUP_FILL));
         }
         if outlines {
+            ring(mesh, quad, 1.2 + 2.0 * theme::CASING_WIDTH, theme::CASING.gamma_multiply(theme::SPRITE_OUTLINE));
             ring(mesh, quad, 1.2, color.gamma_multiply(theme::SPRITE_OUTLINE));
         }
     }

@@ -53,7 +53,8 @@ impl Marquee {
             }
         } else if is_drag {
             let rect = rect.intersect(screen.rect);
-            painter.rect(rect, 0.0, theme::MARQUEE_FILL, theme::MARQUEE, StrokeKind::Inside);
+            painter.rect(rect, 0.0, theme::MARQUEE_FILL, theme::casing(theme::MARQUEE), StrokeKind::Middle);
+            painter.rect_stroke(rect, 0.0, theme::MARQUEE, StrokeKind::Middle);
         }
     }
 }

@@ -6,6 +6,7 @@
 //! the way since the last frame is taken in steps of a few metres, and goes on from where a flight was left. A view that
 //! is put elsewhere has come no way.
 
+use super::parallel;
 use crate::state::Reading;
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
@@ -25,7 +26,9 @@ const MOST_STEPS: u32 = 64;
 
 /// Where the view is in one frame.
 pub(super) struct ViewAt<'a> {
-    pub(super) camera: &'a Camera,
+    pub(super) camera: Camera,
+    /// Whether that is the far eye of an orthographic view.
+    pub(super) is_orthographic: bool,
     /// On board of which path.
     pub(super) path: Option<&'a CameraPath>,
     /// Of the picture, pixels.
@@ -51,18 +54,24 @@ impl Memory {
     pub(super) fn sight(&mut self, rules: &Rules, place: &ViewAt<'_>, reading: &Reading<'_>) -> Sight {
         let session = reading.session;
         self.go_by(rules);
+        let mut hidden = reading.view.hidden_in(session.scene());
+        if place.is_orthographic {
+            self.begin_anew();
+            parallel::hide(&place.camera, &mut hidden);
+        }
         let history = match place.path {
+            _ if place.is_orthographic => &self.history,
             Some(path) => {
                 let is_open = session.document().is_open();
                 self.fly(path, reading.clock.time_s(), session.derived(), is_open)
             }
-            None => self.follow(place.camera, reading.clock.time_s(), session.derived()),
+            None => self.follow(&place.camera, reading.clock.time_s(), session.derived()),
         };
         Sight {
             camera: place.camera.clone(),
             moment: Moment { clock_s: reading.clock.time_s(), time_h: reading.time_play.time_h() },
             size: place.size,
-            hidden: reading.view.hidden_in(session.scene()),
+            hidden,
             meshes: session.beside().meshes().clone(),
             history: Arc::clone(history),
             rules: *rules,

@@ -8,6 +8,7 @@ mod bounds;
 mod box_tool;
 mod cameras;
 mod canvas;
+mod compass;
 mod drag;
 mod faces;
 mod fly;
@@ -17,9 +18,11 @@ mod grab;
 mod grip;
 mod hover;
 mod hud;
+mod inset;
 mod keyed_clouds;
 mod lens;
 mod level_handles;
+mod looking;
 mod marks;
 mod marquee;
 mod memory;
@@ -27,6 +30,7 @@ mod navigation;
 mod on_board;
 mod onto;
 mod overlay;
+mod parallel;
 mod paths;
 mod pick;
 mod picture;
@@ -34,19 +38,20 @@ mod places;
 mod plane;
 mod props;
 mod screen;
+mod side;
 mod steer;
 mod targets;
+mod through;
 mod wireframe;
 
 pub(crate) use grab::Grabbed;
 pub(crate) use picture::image;
 
 use crate::renderer::RendererChoice;
-use crate::state::{Action, Choose, Item, Reading, Selection, Session, Tool, ViewChange};
+use crate::state::{Action, Choose, Item, Reading, Session, Tool, ViewChange};
 use box_tool::BoxTool;
 use canvas::Canvas;
-use cloudwright_core::camera::View;
-use cloudwright_core::scene::{Camera, PathId};
+use cloudwright_core::scene::Camera;
 use cloudwright_core::sight::Sight;
 use eframe::egui_wgpu::RenderState;
 use egui::{CursorIcon, Painter, Response, Sense, Ui, Vec2};
@@ -57,6 +62,7 @@ use glam::DVec3;
 use grab::Grab;
 use hover::Hover;
 use hud::Readout;
+use inset::Inset;
 use marks::Marks;
 use marquee::Marquee;
 use memory::ViewAt;
@@ -66,6 +72,7 @@ use paths::Paths;
 use pick::{Clicks, Picked};
 use screen::Screen;
 use std::time::Duration;
+use through::Through;
 
 /// Of what is measured in the viewport's shape, the longer side by the shorter one.
 const LONGEST: f32 = 4.0;
@@ -75,7 +82,9 @@ pub(crate) struct Viewport {
     navigation: Navigation,
     fly_control: FlyControl,
     on_board: Option<OnBoard>,
+    through: Option<Through>,
     canvas: Canvas,
+    inset: Inset,
     marks: Marks,
     paths: Paths,
     clicks: Clicks,
@@ -103,7 +112,9 @@ impl Viewport {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             fly_control: FlyControl::default(),
             on_board: None,
+            through: None,
             canvas: Canvas::new(context, choice, device),
+            inset: Inset::new(context),
             marks: Marks::default(),
             paths: Paths::default(),
             clicks: Clicks::default(),
@@ -118,65 +129,6 @@ impl Viewport {
         };
         viewport.see(session);
         viewport
-    }
-
-    /// Looks through the scene's first camera, or at all of it.
-    pub(crate) fn see(&mut self, session: &Session) {
-        match session.scene().cameras.first() {
-            Some(camera) => self.look_through(camera, session),
-            None => self.frame(&Selection::default(), session, 0.0),
-        }
-    }
-
-    /// Sees what `camera` sees; turns about the nearest cloud before it.
-    pub(crate) fn look_through(&mut self, camera: &Camera, session: &Session) {
-        let view = View::new(camera, 1, 1);
-        let depth = session.derived().clouds().iter().map(|cloud| {
-            let center = (cloud.origin - view.eye).as_vec3() + cloud.center;
-            f64::from(view.depth(center))
-        });
-        let nearest = depth.filter(|depth| *depth > 1.0).reduce(f64::min);
-        self.leave();
-        self.canvas.begin_anew();
-        self.navigation = Navigation::new(camera.clone(), nearest.unwrap_or(2000.0));
-    }
-
-    /// Brings a selection, as it is at `clock_s`, into view; all clouds for nothing.
-    pub(crate) fn frame(&mut self, selection: &Selection, session: &Session, clock_s: f64) {
-        if let Some((center, radius)) = bounds::bounds(selection, session, clock_s) {
-            self.leave();
-            self.canvas.begin_anew();
-            self.navigation.frame(center, radius);
-        }
-    }
-
-    /// The view goes along a path from now on, at the clock's time.
-    pub(crate) fn board(&mut self, path: PathId) {
-        if self.on_board.as_ref().is_some_and(|on_board| on_board.path == path) {
-            return;
-        }
-        let before = self.on_board.take().map_or_else(|| self.navigation.clone(), |on_board| on_board.before);
-        self.fly_control.stop();
-        self.on_board = Some(OnBoard::new(path, before));
-    }
-
-    /// Whether the view goes along a path.
-    pub(crate) fn is_on_board(&self) -> bool {
-        self.on_board.is_some()
-    }
-
-    /// Ends a flight of any kind where it is.
-    pub(crate) fn leave(&mut self) {
-        self.fly_control.stop();
-        self.on_board = None;
-    }
-
-    /// Ends the flight along a path; the view is the one from before.
-    pub(crate) fn get_off(&mut self) {
-        if let Some(on_board) = self.on_board.take() {
-            self.canvas.begin_anew();
-            self.navigation = on_board.before;
-        }
     }
 
     /// Width by height of the picture; of a strip, that of a wider one.
@@ -248,21 +200,30 @@ impl Viewport {
         let is_free = !self.gizmo.is_held() && !self.marquee.is_on() && !self.grab.is_on();
         let may_fly = is_free && !self.holds_gesture();
         let path_view = self.take_path_view(reading);
+        self.go_with_camera(reading);
+        self.navigation.stay_above(reading.session.scene().ground.as_ref().map(|ground| ground.altitude_m));
         self.fly_control.fly(&mut self.navigation, ui, &response, may_fly);
         if is_free && !self.fly_control.is_held() {
-            let screen = Screen::new(self.camera(), rect);
+            let screen = Screen::new(&self.eye(rect, reading), rect);
             steer::steer(&mut self.navigation, ui, &response, &screen, reading);
         }
         let path_view = self.keep_path_view(path_view);
-        let screen = Screen::new(self.camera(), rect);
+        self.through = self.through.take().filter(|through| *self.navigation.camera() == through.last);
+        let screen = Screen::new(&self.eye(rect, reading), rect);
         let painter = ui.painter_at(rect);
         let sight = self.paint_picture(ui, &response, &painter, path_view.as_ref(), reading);
+        if let Some(ground) = reading.session.scene().ground.as_ref().filter(|_| sight.hidden.ground) {
+            parallel::paint_ground(&painter, &screen, self.navigation.pivot(), ground.altitude_m);
+        }
         self.marks.paint(&painter, &screen, &sight, reading);
         wireframe::paint(&painter, &screen, reading);
         cameras::paint(&painter, &screen, reading);
         props::paint(&painter, &screen, reading);
         let ridden = self.on_board.as_ref().map(|on_board| on_board.path);
         self.paths.paint(&painter, &screen, ridden, reading);
+        if self.through.is_some() {
+            through::paint(ui, &painter, rect, self.camera(), reading.picture_size);
+        }
         self.work(ui, &response, &painter, &screen, reading, actions);
         level_handles::show(ui, rect, &screen.view, reading, actions);
         if self.fly_control.is_held() {
@@ -282,26 +243,17 @@ impl Viewport {
             readout.show(ui, rect, reading.units);
         }
         overlay::show(ui, rect, reading, actions);
-    }
-
-    /// Puts the view where the clock says, while it is on board.
-    fn take_path_view(&mut self, reading: &Reading<'_>) -> Option<PathView> {
-        let path_view = self.on_board.as_mut().and_then(|on_board| on_board.path_view(reading));
-        match &path_view {
-            Some(path_view) => self.navigation = Navigation::new(path_view.camera.clone(), self.navigation.distance()),
-            None => self.on_board = None,
+        let seen_through = self.through.as_ref().map(Through::id);
+        let raised = Canvas::legend_height(reading.view.lens);
+        self.inset.show(ui, rect, raised, seen_through, reading, actions);
+        if let Some(place) = compass::place(rect) {
+            let turned = compass::show(ui, place, &screen, self.is_orthographic(), actions);
+            if turned != Vec2::ZERO {
+                self.leave();
+                self.navigation.orbit(turned);
+                ui.ctx().request_repaint();
+            }
         }
-        path_view
-    }
-
-    /// A hand that has moved the view since ends the flight here.
-    fn keep_path_view(&mut self, path_view: Option<PathView>) -> Option<PathView> {
-        let path_view = path_view?;
-        if *self.navigation.camera() == path_view.camera {
-            return Some(path_view);
-        }
-        self.on_board = None;
-        None
     }
 
     /// How marks at sprites are to see them.
@@ -323,7 +275,12 @@ impl Viewport {
             .as_ref()
             .filter(|_| path_view.is_some())
             .and_then(|on_board| session.scene().path(on_board.path));
-        let place = ViewAt { camera: self.navigation.camera(), path, size: [pixels.x as u32, pixels.y as u32] };
+        let place = ViewAt {
+            camera: self.eye(response.rect, reading),
+            is_orthographic: self.is_orthographic(),
+            path,
+            size: [pixels.x as u32, pixels.y as u32],
+        };
         let sight = self.canvas.show(ui, painter, response.rect, &place, quick, reading);
         self.sight = Some(sight.clone());
         sight
@@ -351,8 +308,11 @@ impl Viewport {
             return;
         }
         self.box_tool.leave();
-        let on_face = self.faces.show(ui, painter, screen, reading, actions);
-        let touch = self.gizmo.show(ui, response, painter, screen, reading, actions);
+        // Handles on what the clock moves would be in the picture's way, and run from the hand.
+        let has_handles = !reading.clock.plays() || self.gizmo.is_held();
+        let on_face = has_handles.then(|| self.faces.show(ui, painter, screen, reading, actions)).flatten();
+        let touch =
+            if has_handles { self.gizmo.show(ui, response, painter, screen, reading, actions) } else { Touch::None };
         let (modifiers, pressed) = ui.input(|input| (input.modifiers, input.pointer.primary_pressed()));
         self.show_hover(ui, response, painter, screen, touch, reading);
         if pressed
@@ -360,6 +320,7 @@ impl Viewport {
             && touch == Touch::None
             && !modifiers.alt
             && let Some(at) = response.interact_pointer_pos().or(response.hover_pos())
+            && !compass::place(screen.rect).is_some_and(|place| place.contains(at))
         {
             self.marquee.begin(at);
         }

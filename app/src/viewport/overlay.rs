@@ -5,6 +5,7 @@ use crate::state::{Action, Reading, Snap, Tool, ViewChange};
 use crate::theme::{self, icon};
 use crate::widget::{name_it, number_field};
 use cloudwright_core::property::{Number, POSITION};
+use cloudwright_core::scene::Camera;
 use egui::{Align2, Color32, FontId, Label, Layout, Painter, Pos2, Rect, RichText, Ui, UiBuilder, Vec2, vec2};
 
 const BASE_ALTITUDE: Number =
@@ -71,7 +72,7 @@ fn labelled(ui: &mut Ui, shown: &str, number: &Number, value: &mut f64) -> bool 
 fn cameras(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let menu = ui.menu_button(icon::VIDEO_CAMERA, |ui| {
         for camera in &reading.session.scene().cameras {
-            let name = if camera.name.is_empty() { format!("camera {}", camera.id) } else { camera.name.clone() };
+            let name = camera_name(camera);
             let response = ui.button(&name);
             name_it(ui, &response, &format!("Look through {name}"));
             if response.clicked() {
@@ -98,6 +99,11 @@ fn cameras(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
             actions.push(Action::View(ViewChange::Method(None)));
         }
     }
+}
+
+/// A camera in words.
+pub(super) fn camera_name(camera: &Camera) -> String {
+    if camera.name.is_empty() { format!("camera {}", camera.id) } else { camera.name.clone() }
 }
 
 /// What the primary button does, and how the view is moved.

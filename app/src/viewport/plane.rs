@@ -7,8 +7,10 @@ use cloudwright_core::camera::NEAR_M;
 use egui::{Painter, Pos2};
 use glam::DVec3;
 
-/// Nobody draws beyond, metres: towards the horizon a hand's width would be a country.
-const FARTHEST_M: f64 = 200_000.0;
+/// Nobody draws where a point of the window covers more, metres: towards the horizon a hand's width would be a country.
+const COARSEST_M: f64 = 200.0;
+/// Points between lines.
+const STEP: f64 = 20.0;
 /// Lines on each side of the patch's middle.
 const LINES: i32 = 8;
 
@@ -16,14 +18,13 @@ const LINES: i32 = 8;
 pub(super) fn under(at: Pos2, screen: &Screen, altitude_m: f64) -> Option<DVec3> {
     let ray = screen.ray(at).as_dvec3();
     let depth = (altitude_m - screen.view.eye.y) / ray.y;
-    let is_near = depth > f64::from(NEAR_M) && depth * ray.length() < FARTHEST_M;
+    let is_near = depth > f64::from(NEAR_M) && depth * f64::from(screen.view.pixel()) < COARSEST_M;
     is_near.then(|| DVec3 { y: altitude_m, ..screen.view.eye + ray * depth })
 }
 
 /// Paints a round patch of grid about a point of the plane, along the axes of `space`, that fades to its rim.
 pub(super) fn paint_patch(painter: &Painter, screen: &Screen, space: &ModelSpace, middle: DVec3, least_step_m: f64) {
-    let distance_m = middle.distance(screen.view.eye);
-    let step_m = round_step(distance_m * 0.025, least_step_m);
+    let step_m = round_step(screen.metres_per_point(middle) * STEP, least_step_m);
     let radius_m = step_m * f64::from(LINES);
     let local = space.turn.conjugate() * (middle - space.origin);
     let to_eye = |x: f64, z: f64| screen.relative(space.origin + space.turn * DVec3::new(x, local.y, z));
@@ -42,6 +43,7 @@ pub(super) fn paint_patch(painter: &Painter, screen: &Screen, space: &ModelSpace
             let mut stroke = theme::GRID;
             stroke.color = stroke.color.gamma_multiply(fade);
             if let Some(ends) = screen.line(ends[0], ends[1]) {
+                painter.line_segment(ends, theme::casing(stroke));
                 painter.line_segment(ends, stroke);
             }
         }

@@ -44,16 +44,12 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
     }
     on_top.sort_by(|a, b| a.2.width.total_cmp(&b.2.width));
     for (cloud, each, stroke) in on_top {
-        if stroke.width >= theme::SELECTED_BOX.width {
-            outline(painter, screen, &cloud, each, theme::casing(stroke));
-        }
         outline(painter, screen, &cloud, each, stroke);
     }
 }
 
 /// Paints a box as a selected one.
 pub(super) fn paint_selected(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox) {
-    outline(painter, screen, cloud, each, theme::casing(theme::SELECTED_BOX));
     outline(painter, screen, cloud, each, theme::SELECTED_BOX);
 }
 
@@ -99,7 +95,7 @@ fn outline(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox, s
     // In the box's own axes, from its middle: which faces the eye sees.
     let eye = each.orientation.conjugate() * (space.from_world(screen.view.eye) - each.center);
     let far = Stroke { color: stroke.color.gamma_multiply(theme::FAR_EDGE), ..stroke };
-    for (i, (a, b)) in EDGES.into_iter().enumerate() {
+    let edge = |(i, (a, b)): (usize, (usize, usize))| {
         let axis = i / 4;
         let is_seen = |across: usize| {
             let positive = a & (1 << across) != 0;
@@ -108,8 +104,13 @@ fn outline(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox, s
         };
         let near = (0..3).filter(|across| *across != axis).any(is_seen);
         let inside = (0..3).all(|axis| eye[axis].abs() <= each.size[axis] * 0.5);
-        if let Some(line) = screen.line(corners[a], corners[b]) {
-            painter.line_segment(line, if near || inside { stroke } else { far });
-        }
+        Some((screen.line(corners[a], corners[b])?, if near || inside { stroke } else { far }))
+    };
+    let edges: Vec<_> = EDGES.into_iter().enumerate().filter_map(edge).collect();
+    for (line, stroke) in &edges {
+        painter.line_segment(*line, theme::casing(*stroke));
+    }
+    for (line, stroke) in edges {
+        painter.line_segment(line, stroke);
     }
 }

@@ -19,7 +19,7 @@ const FRAME_S: f64 = 0.25;
 const SPEED_M_S: f64 = 60.0;
 
 impl Window {
-    fn eye(&self) -> Camera {
+    pub(crate) fn eye(&self) -> Camera {
         self.harness.state().camera().clone()
     }
 
@@ -39,7 +39,7 @@ impl Window {
         self.harness.run_steps(12);
     }
 
-    fn wheel(&mut self, notches: f32) {
+    pub(crate) fn wheel(&mut self, notches: f32) {
         self.harness.event(Event::MouseWheel {
             unit: MouseWheelUnit::Line,
             delta: vec2(0.0, notches),

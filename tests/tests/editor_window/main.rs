@@ -30,6 +30,7 @@ mod recovery;
 mod remembering;
 mod renaming;
 mod script_panel;
+mod seeing;
 mod several;
 mod thinning;
 mod timeline;

@@ -166,6 +166,9 @@ impl Editor {
             Command::ShowBoxes => view.show_all_boxes,
             Command::SpriteMarks => view.sprite_marks != SpriteMarks::Off,
             Command::GroupView => view.group_view,
+            Command::Orthographic => self.viewport.is_orthographic(),
+            Command::Haze => view.haze,
+            Command::CameraPicture => view.camera_picture,
             Command::Solo => !view.solo.is_empty(),
             Command::PlayTime => self.time_play.runs(),
             Command::PlayFlight => self.clock.plays(),
@@ -232,6 +235,13 @@ impl Editor {
             Command::FrameAll => {
                 self.viewport.frame(&Selection::default(), &self.session, self.clock.time_s());
             }
+            Command::TopView
+            | Command::BottomView
+            | Command::FrontView
+            | Command::BackView
+            | Command::RightView
+            | Command::LeftView => self.viewport.look_from(command),
+            Command::Orthographic => self.viewport.toggle_orthographic(),
             Command::LookThrough => self.look_through_next(),
             Command::AlignCamera => self.align_camera(),
             Command::Hide => self.toggle_hidden(),
@@ -241,6 +251,8 @@ impl Editor {
             Command::ShowBoxes => self.view.show_all_boxes ^= true,
             Command::SpriteMarks => self.view.sprite_marks = self.view.sprite_marks.next(),
             Command::GroupView => self.view.group_view ^= true,
+            Command::Haze => self.view.haze ^= true,
+            Command::CameraPicture => self.view.camera_picture ^= true,
             Command::SwitchTheme => crate::theme::switch(context),
             Command::SwitchUnits => self.switch_units(),
             Command::SwitchKeymap => self.switch_keymap(context),

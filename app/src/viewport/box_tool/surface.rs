@@ -19,6 +19,8 @@ const FAR: f64 = 8.0;
 const FAIR_M: f64 = 20_000.0;
 /// Of an upright footprint's width.
 pub(super) const DEPTH_SHARE: f64 = 0.6;
+/// One that falls less is met at no place that anyone meant: 1 in 1,000.
+const LEAST_MET: f64 = 0.001;
 /// A plane that falls less on the way from the eye is seen from its edge: 1 in 8.
 const LEAST_SLOPE: f64 = 0.125;
 
@@ -45,8 +47,10 @@ impl Surface {
     pub(super) fn at(at: Pos2, screen: &Screen, base_m: f64, looked_at: DVec3) -> Option<(Self, DVec3)> {
         let eye = screen.view.eye;
         let farthest_m = FAIR_M.max(FAR * eye.distance(looked_at));
+        let slope = |point: &DVec3| (point.y - eye.y).abs() / point.distance(eye);
         let met = plane::under(at, screen, base_m).filter(|point| point.distance(eye) < farthest_m);
-        if let Some(point) = met.filter(|point| (point.y - eye.y).abs() >= LEAST_SLOPE * point.distance(eye)) {
+        let met = met.filter(|point| slope(point) >= LEAST_MET);
+        if let Some(point) = met.filter(|point| slope(point) >= LEAST_SLOPE) {
             return Some((Self::Level(base_m), point));
         }
         let through = met.unwrap_or(looked_at);

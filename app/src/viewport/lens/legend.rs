@@ -15,6 +15,18 @@ const PADDING: f32 = 8.0;
 /// Of a line of text, points.
 const LINE: f32 = 15.0;
 
+/// How much of the corner it takes, points, with what is to be free above it.
+pub(in crate::viewport) fn height(lens: Lens) -> f32 {
+    match lens {
+        Lens::Picture | Lens::Wipe => 0.0,
+        Lens::Overdraw | Lens::WrongOrder | Lens::Error => size().y + theme::VIEWPORT_MARGIN,
+    }
+}
+
+fn size() -> Vec2 {
+    BAR + vec2(2.0 * PADDING, 2.0 * PADDING + 2.0 * LINE + 4.0)
+}
+
 /// Shows it; without a `scale` there is no map yet.
 pub(super) fn show(ui: &mut Ui, rect: Rect, lens: Lens, scale: Option<&Scale>, progress: Option<f32>) {
     let title = match lens {
@@ -23,7 +35,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, lens: Lens, scale: Option<&Scale>, p
         Lens::WrongOrder => "Cost of the sprites' order, linear light",
         Lens::Error => "FLIP against the truth",
     };
-    let size = BAR + vec2(2.0 * PADDING, 2.0 * PADDING + 2.0 * LINE + 4.0);
+    let size = size();
     let frame = Rect::from_min_size(rect.right_bottom() - size - Vec2::splat(theme::VIEWPORT_MARGIN), size);
     ui.painter().rect_filled(frame, 4.0, theme::HUD_SHADE);
     let inner = frame.shrink(PADDING);

@@ -15,6 +15,7 @@ use cloudwright_core::sight::Sight;
 use cloudwright_core::version::Version;
 use cloudwright_core::watch::Watch;
 use egui::{Color32, Context, Painter, Rect, TextureHandle, TextureOptions, Ui, pos2};
+pub(super) use legend::height as legend_height;
 use slide::{Request, Scale, Slide};
 use std::sync::Arc;
 use std::time::Duration;
