@@ -96,7 +96,7 @@ pub(crate) const CAMERA: Stroke = Stroke { width: 1.2, color: Color32::from_rgb(
 /// Under bright lines, so that they are seen on bright clouds.
 pub(crate) const CASING: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 90);
 /// How far that shows on each side, points.
-pub(crate) const CASING_WIDTH: f32 = 1.0;
+pub(crate) const CASING_WIDTH: f32 = 0.8;
 /// Of an edge's opacity: behind its own box.
 pub(crate) const FAR_EDGE: f32 = 0.4;
 /// A sprite that is marked.

@@ -2,6 +2,7 @@
 
 use crate::state::{Item, Selection, Session, box_of};
 use cloudwright_core::arrange::ModelSpace;
+use cloudwright_core::camera::View;
 use cloudwright_core::scene::{CloudId, InScene};
 use cloudwright_core::weather::{CloudNow, WeatherRules};
 use glam::DVec3;
@@ -21,6 +22,33 @@ pub(super) fn bounds(selection: &Selection, session: &Session, clock_s: f64) -> 
     let center = (low + high) * 0.5;
     let radius = spheres.iter().map(|(c, r)| c.distance(center) + r).fold(0.0, f64::max);
     Some((center, radius))
+}
+
+/// What a view that turns about `pivot` looks at, as a sphere: the selection, or else the nearest cloud in the picture's
+/// middle. None where there is nothing, or `pivot` lies in it, or in any cloud, already.
+pub(super) fn looked_at(
+    selection: &Selection,
+    session: &Session,
+    clock_s: f64,
+    view: &View,
+    pivot: DVec3,
+) -> Option<(DVec3, f64)> {
+    let holds_pivot = |(center, radius): &(DVec3, f64)| center.distance(pivot) <= *radius;
+    if !selection.is_empty() {
+        return bounds(selection, session, clock_s).filter(|sphere| sphere.1 > 0.0 && !holds_pivot(sphere));
+    }
+    let now = session.derived().clouds_at(clock_s, WeatherRules::default());
+    let clouds: Vec<(DVec3, f64)> = now.iter().map(sphere).collect();
+    if clouds.iter().any(holds_pivot) {
+        return None;
+    }
+    let forward = view.forward.as_dvec3();
+    let depth = |(center, _): &(DVec3, f64)| (*center - view.eye).dot(forward);
+    let is_met = |sphere: &(DVec3, f64)| {
+        let beside = sphere.0 - view.eye - forward * depth(sphere);
+        depth(sphere) > 0.0 && beside.length() <= sphere.1
+    };
+    clouds.into_iter().filter(is_met).min_by(|a, b| depth(a).total_cmp(&depth(b)))
 }
 
 fn sphere(cloud: &CloudNow<'_>) -> (DVec3, f64) {

@@ -49,13 +49,16 @@ impl Viewport {
         }
     }
 
-    /// Looks from the side that a command means at what is looked at.
-    pub(crate) fn look_from(&mut self, command: Command) {
-        if let Some(side) = Side::of(command) {
-            self.leave();
-            self.canvas.begin_anew();
-            self.navigation.look_from(side);
+    /// Looks from the side that a command means at what is looked at: the selection, or what is in the picture's middle.
+    pub(crate) fn look_from(&mut self, command: Command, selection: &Selection, session: &Session, clock_s: f64) {
+        let Some(side) = Side::of(command) else { return };
+        self.leave();
+        self.canvas.begin_anew();
+        let (view, pivot) = (View::new(self.camera(), 1, 1), self.navigation.pivot());
+        if let Some((center, radius)) = bounds::looked_at(selection, session, clock_s, &view, pivot) {
+            self.navigation.turn_about(center, radius);
         }
+        self.navigation.look_from(side);
     }
 
     /// Whether rays run side by side.

@@ -151,9 +151,20 @@ impl Navigation {
 
     /// So far away that a sphere fills the picture, in the same direction.
     pub(super) fn frame(&mut self, center: DVec3, radius_m: f64) {
-        let half_angle = (self.camera.field_of_view_deg * 0.5).to_radians();
-        self.distance_m = (radius_m.max(MIN_DISTANCE_M) / half_angle.sin() * 1.1).max(MIN_DISTANCE_M);
+        self.distance_m = self.distance_of(radius_m);
         self.stand_back(center);
+    }
+
+    /// From now on about the middle of a sphere, from as far away as the eye is, or as the sphere fills the picture from.
+    pub(super) fn turn_about(&mut self, center: DVec3, radius_m: f64) {
+        self.distance_m = center.distance(self.camera.position).max(self.distance_of(radius_m));
+        self.stand_back(center);
+    }
+
+    /// From which a sphere fills the picture, metres.
+    fn distance_of(&self, radius_m: f64) -> f64 {
+        let half_angle = (self.camera.field_of_view_deg * 0.5).to_radians();
+        (radius_m.max(MIN_DISTANCE_M) / half_angle.sin() * 1.1).max(MIN_DISTANCE_M)
     }
 
     /// At the pivot's distance before it, but no farther than the ground lets the eye.

@@ -96,6 +96,15 @@ fn each_side_has_a_key_and_keeps_what_is_looked_at() {
     window.keys(opposite, Key::Num7);
     assert_eq!(window.look_deg(), [0.0, 90.0]);
     assert!(window.eye().position.y >= 2.0 && window.shows_cloud_within(2.0), "{:?}", window.eye());
+    // What is selected is looked at, wherever the view turned about.
+    window.keys(Modifiers::NONE, Key::Num1);
+    let middle = window.viewport().center();
+    window.drag_with(PointerButton::Middle, Modifiers::SHIFT, middle, vec2(600.0, 0.0));
+    window.drag_with(PointerButton::Middle, Modifiers::SHIFT, middle, vec2(600.0, 0.0));
+    assert!(!window.shows_cloud_within(300.0));
+    window.select([Item::Cloud(scene.clouds[0].id)]);
+    window.keys(Modifiers::NONE, Key::Num3);
+    assert!(window.look_deg() == [-90.0, 0.0] && window.shows_cloud_within(2.0), "{:?}", window.eye());
     assert_eq!(window.scene(), &scene);
 }
 

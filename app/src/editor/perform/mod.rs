@@ -240,7 +240,9 @@ impl Editor {
             | Command::FrontView
             | Command::BackView
             | Command::RightView
-            | Command::LeftView => self.viewport.look_from(command),
+            | Command::LeftView => {
+                self.viewport.look_from(command, &self.view.selection, &self.session, self.clock.time_s());
+            }
             Command::Orthographic => self.viewport.toggle_orthographic(),
             Command::LookThrough => self.look_through_next(),
             Command::AlignCamera => self.align_camera(),
