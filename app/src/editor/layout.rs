@@ -2,13 +2,21 @@
 
 use crate::panel::Panel;
 use crate::theme;
-use egui::{Id, Ui, WidgetText};
+use egui::scroll_area::{DragScroll, ScrollSource};
+use egui::{Id, Rect, ScrollArea, Ui, WidgetText};
 use egui_tiles::{
     Behavior, Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree, UiResponse,
 };
 
 /// Of the viewport's height, what the timeline takes when it comes up.
 const TIMELINE_SHARE: f32 = 0.36;
+
+/// Of the window's width, what outline and history take at first, and between how many points.
+const LEFT_SHARE: f32 = 0.17;
+const LEFT_WIDTHS: [f32; 2] = [150.0, 380.0];
+/// As those, of inspector and looks.
+const RIGHT_SHARE: f32 = 0.27;
+const RIGHT_WIDTHS: [f32; 2] = [260.0, 700.0];
 
 /// The docked panels.
 #[derive(Debug)]
@@ -46,6 +54,9 @@ impl Layout {
 
     /// Shows all panels; `show` puts the content of one on the screen.
     pub(super) fn show(&mut self, ui: &mut Ui, show: impl FnMut(Panel, &mut Ui)) {
+        if self.untouched {
+            self.share_out(ui.available_width());
+        }
         let mut panes = Panes { show, changed: false, in_front: self.tree.active_tiles() };
         self.tree.ui(&mut panes, ui);
         self.changed |= panes.changed;
@@ -56,6 +67,13 @@ impl Layout {
     pub(super) fn shows(&self, panel: Panel) -> bool {
         let tile = self.tree.tiles.find_pane(&panel);
         tile.is_some_and(|tile| self.tree.active_tiles().contains(&tile))
+    }
+
+    /// Where the picture is; all the window while it is behind another tab.
+    pub(super) fn picture_place(&self, context: &egui::Context) -> Rect {
+        let tile = self.tree.tiles.find_pane(&Panel::Viewport).filter(|_| self.shows(Panel::Viewport));
+        let place = tile.and_then(|tile| self.tree.tiles.rect(tile));
+        place.filter(Rect::is_positive).unwrap_or_else(|| context.content_rect())
     }
 
     /// All panels to their places.
@@ -102,6 +120,23 @@ impl Layout {
 }
 
 impl Layout {
+    /// Gives side panels that nobody has moved the room that they need and use, and the picture the rest.
+    fn share_out(&mut self, width: f32) {
+        let tiles = &mut self.tree.tiles;
+        let Some(Tile::Container(Container::Linear(root))) = self.tree.root.and_then(|root| tiles.get_mut(root)) else {
+            return;
+        };
+        if let [left, middle, right] = root.children[..]
+            && width > 0.0
+        {
+            let of = |share: f32, [least, most]: [f32; 2]| (share * width).clamp(least, most) / width;
+            let [beside, behind] = [of(LEFT_SHARE, LEFT_WIDTHS), of(RIGHT_SHARE, RIGHT_WIDTHS)];
+            root.shares.set_share(left, beside);
+            root.shares.set_share(middle, 1.0 - beside - behind);
+            root.shares.set_share(right, behind);
+        }
+    }
+
     /// Whether a tile has its tab among those of what clouds look like.
     fn is_beside_looks(&self, tile: TileId) -> bool {
         let tiles = &self.tree.tiles;
@@ -156,7 +191,10 @@ fn default_tree() -> Tree<Panel> {
     };
     let left = split(LinearDir::Vertical, &[(outline, 2.6), (history, 1.0)]);
     let right = split(LinearDir::Vertical, &[(inspector, 1.0), (looks, 1.0)]);
-    let root = split(LinearDir::Horizontal, &[(left, 0.17), (viewport, 0.56), (right, 0.27)]);
+    let root = split(
+        LinearDir::Horizontal,
+        &[(left, LEFT_SHARE), (viewport, 1.0 - LEFT_SHARE - RIGHT_SHARE), (right, RIGHT_SHARE)],
+    );
     Tree::new(Id::unique("panels"), root, tiles)
 }
 
@@ -171,10 +209,9 @@ impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, panel: &mut Panel) -> UiResponse {
         ui.push_id(*panel, |ui| {
             let frame = if *panel == Panel::Viewport { egui::Frame::NONE } else { theme::side(ui) };
-            frame.show(ui, |ui| {
-                // A panel without content still fills its place.
-                ui.set_min_size(ui.available_size());
-                (self.show)(*panel, ui);
+            frame.show(ui, |ui| match panel.least_width() {
+                None => (self.show)(*panel, ui),
+                Some(least) => scrolled_sideways(ui, least, |ui| (self.show)(*panel, ui)),
             });
         });
         UiResponse::None
@@ -210,6 +247,20 @@ impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
         self.changed = true;
     }
 }
+
+/// A place narrower than `least` is scrolled sideways instead of cutting off what stands at its right.
+fn scrolled_sideways(ui: &mut Ui, least: f32, add: impl FnOnce(&mut Ui)) {
+    let room = ui.available_size();
+    ScrollArea::horizontal().auto_shrink(false).scroll_source(SCROLLS).show(ui, |ui| {
+        ui.set_width(room.x.max(least));
+        // A panel without content still fills its place.
+        ui.set_min_height(room.y);
+        add(ui);
+    });
+}
+
+/// Not by drags: those belong to what is in the panels.
+const SCROLLS: ScrollSource = ScrollSource { scroll_bar: true, drag: DragScroll::Never, mouse_wheel: true };
 
 #[cfg(test)]
 mod tests {

@@ -389,7 +389,7 @@ impl eframe::App for Editor {
         self.keep_copying(&context);
         self.show_plugin(&context);
         self.show_last_run(&context);
-        self.toasts.show(&context);
+        self.toasts.show(&context, self.layout.picture_place(&context));
         self.show_title(&context);
         self.autosave();
         self.watch_file(&context);

@@ -1,11 +1,11 @@
-//! Short messages at the window's lower right: what was done, and why something was not.
+//! Short messages at the picture's lower right, where they cover no field: what was done, and why something was not.
 //!
-//! They are ordinary labels, so that a screen reader finds them, and wrap. What was done goes by itself; what was not
+//! Questions and menus are before them. They are ordinary labels, so that a screen reader finds them, and wrap. What was done goes by itself; what was not
 //! stays until it is closed, or until something succeeds.
 
 use crate::theme::{self, icon};
 use crate::visible;
-use egui::{Align2, Area, Context, Frame, Id, Order, RichText, vec2};
+use egui::{Align2, Area, Context, Frame, Id, Order, Rect, RichText, ScrollArea, vec2};
 
 /// How long a message about something done stays, seconds.
 const STAY_S: f64 = 5.0;
@@ -45,7 +45,7 @@ impl Toasts {
     }
 
     /// Shows all; asks for another frame when the next one goes.
-    pub(super) fn show(&mut self, context: &Context) {
+    pub(super) fn show(&mut self, context: &Context, picture: Rect) {
         let now_s = context.input(|input| input.time);
         for toast in self.shown.iter_mut().filter(|toast| !toast.is_error) {
             toast.ends_s.get_or_insert(now_s + STAY_S);
@@ -58,32 +58,38 @@ impl Toasts {
             return;
         }
         let mut closed = None;
+        let width = theme::TOAST_WIDTH.min(picture.width() - 4.0 * theme::TOAST_MARGIN).max(theme::LEAST_TOAST_WIDTH);
         Area::new(Id::unique("toasts"))
-            .order(Order::Foreground)
-            .anchor(Align2::RIGHT_BOTTOM, vec2(-theme::TOAST_MARGIN, -theme::TOAST_MARGIN - theme::STATUS_HEIGHT))
+            .order(Order::Middle)
+            .pivot(Align2::RIGHT_BOTTOM)
+            .fixed_pos(picture.right_bottom() - vec2(theme::TOAST_MARGIN, theme::TOAST_MARGIN + theme::HUD_HEIGHT))
+            .constrain_to(picture)
             .show(context, |ui| {
-                for toast in &self.shown {
-                    Frame::popup(ui.style()).show(ui, |ui| {
-                        ui.set_width(theme::TOAST_WIDTH);
-                        ui.horizontal_top(|ui| {
-                            let (glyph, color) = if toast.is_error {
-                                (icon::WARNING_CIRCLE, theme::error(ui))
-                            } else {
-                                (icon::CHECK_CIRCLE, theme::good(ui))
-                            };
-                            ui.label(RichText::new(glyph).color(color).size(16.0));
-                            ui.vertical(|ui| {
-                                ui.set_width(theme::TOAST_WIDTH - 56.0);
-                                ui.add(egui::Label::new(&toast.text).wrap());
+                let height = picture.height() - 2.0 * theme::HUD_HEIGHT;
+                ScrollArea::vertical().max_height(height).min_scrolled_height(height).show(ui, |ui| {
+                    for toast in &self.shown {
+                        Frame::popup(ui.style()).show(ui, |ui| {
+                            ui.set_width(width);
+                            ui.horizontal_top(|ui| {
+                                let (glyph, color) = if toast.is_error {
+                                    (icon::WARNING_CIRCLE, theme::error(ui))
+                                } else {
+                                    (icon::CHECK_CIRCLE, theme::good(ui))
+                                };
+                                ui.label(RichText::new(glyph).color(color).size(16.0));
+                                ui.vertical(|ui| {
+                                    ui.set_width(width - 56.0);
+                                    ui.add(egui::Label::new(&toast.text).wrap());
+                                });
+                                let close = ui.add(egui::Button::new(icon::X).frame(false));
+                                ui.ctx().accesskit_node_builder(close.id, |node| node.set_label("Dismiss"));
+                                if close.clicked() {
+                                    closed = Some(toast.number);
+                                }
                             });
-                            let close = ui.add(egui::Button::new(icon::X).frame(false));
-                            ui.ctx().accesskit_node_builder(close.id, |node| node.set_label("Dismiss"));
-                            if close.clicked() {
-                                closed = Some(toast.number);
-                            }
                         });
-                    });
-                }
+                    }
+                });
             });
         self.shown.retain(|toast| Some(toast.number) != closed);
     }

@@ -7,7 +7,7 @@ use crate::state::Action;
 use crate::theme;
 use crate::visible;
 use crate::widget::name_it;
-use egui::{Button, Ui};
+use egui::{Button, ScrollArea, Ui};
 
 /// How a command is offered now.
 #[derive(Debug, Clone, Copy)]
@@ -38,19 +38,23 @@ pub(crate) fn menu_bar(ui: &mut Ui, state: &CommandStates<'_>, library: &Library
     egui::MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
             ui.menu_button(menu.name(), |ui| {
-                if menu == Menu::Plugins {
-                    plugin::menus(ui, library, actions);
-                    ui.separator();
-                }
-                // Who wants to write a plugin looks for the panel here.
-                let script = (menu == Menu::Plugins).then(|| Command::ScriptPanel.row());
-                for row in TABLE.iter().filter(|row| row.menu == menu).chain(script) {
-                    let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
-                    if let Some(keys) = row.shortcut_text(ui.ctx()) {
-                        button = button.shortcut_text(keys);
+                // Long menus in low windows.
+                let room = ui.ctx().content_rect().bottom() - ui.next_widget_position().y - theme::DIALOG_MARGIN;
+                ScrollArea::vertical().max_height(room).min_scrolled_height(room).show(ui, |ui| {
+                    if menu == Menu::Plugins {
+                        plugin::menus(ui, library, actions);
+                        ui.separator();
                     }
-                    offer(ui, row, button, row.name, state, actions);
-                }
+                    // Who wants to write a plugin looks for the panel here.
+                    let script = (menu == Menu::Plugins).then(|| Command::ScriptPanel.row());
+                    for row in TABLE.iter().filter(|row| row.menu == menu).chain(script) {
+                        let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
+                        if let Some(keys) = row.shortcut_text(ui.ctx()) {
+                            button = button.shortcut_text(keys);
+                        }
+                        offer(ui, row, button, row.name, state, actions);
+                    }
+                });
             });
         }
     });

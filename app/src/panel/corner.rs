@@ -1,6 +1,7 @@
 //! A question in a corner of the window, so that the scene can be seen as it would be.
 
 use crate::theme;
+use crate::widget::fitted;
 use egui::{Align2, Color32, Context, Id, Key, Modal, Ui, vec2};
 
 /// What is answered.
@@ -12,13 +13,18 @@ pub(crate) enum Answer {
     Cancel,
 }
 
-/// Shows what `add` adds, which returns the answer.
+/// Shows what `add` adds, `width` points wide, which returns the answer.
 ///
 /// A click beside it is no answer: the scene is there to be looked at. Esc in a field ends the typing, and no more.
-pub(super) fn ask(context: &Context, id: Id, add: impl FnOnce(&mut Ui) -> Option<Answer>) -> Option<Answer> {
+pub(super) fn ask(
+    context: &Context,
+    id: Id,
+    width: f32,
+    add: impl FnOnce(&mut Ui) -> Option<Answer>,
+) -> Option<Answer> {
     let corner = Modal::default_area(id).anchor(Align2::LEFT_BOTTOM, vec2(1.0, -1.0) * theme::DIALOG_MARGIN);
     let modal = Modal::new(id).area(corner).backdrop_color(Color32::TRANSPARENT).frame(theme::dialog(context));
-    let modal = modal.show(context, add);
+    let modal = modal.show(context, |ui| fitted(ui, width, add));
     let typed = {
         let types = context.text_edit_focused();
         context.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(id), types))

@@ -117,6 +117,19 @@ impl Panel {
         }
     }
 
+    /// Where it is narrower than so many points, it is scrolled sideways. The picture has any size.
+    pub(crate) fn least_width(self) -> Option<f32> {
+        Some(match self {
+            Self::Viewport => return None,
+            Self::Outline | Self::History | Self::Problems => 190.0,
+            Self::Inspector => 300.0,
+            Self::ColorLevels | Self::ShadingGroups | Self::Flight => 330.0,
+            Self::Sky | Self::Chart => 350.0,
+            Self::Script => 400.0,
+            Self::Timeline => 460.0,
+        })
+    }
+
     /// Shows it. The viewport shows itself.
     pub(crate) fn show(self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         match self {

@@ -7,7 +7,7 @@ use crate::plugins::{Library, Origin};
 use crate::state::Action;
 use crate::theme;
 use crate::visible;
-use crate::widget::name_it;
+use crate::widget::{fitted, name_it};
 use cloudwright_scripts::PluginKind;
 use egui::{Button, Context, Id, Key, Modal, Modifiers, ScrollArea, TextEdit};
 
@@ -48,45 +48,47 @@ impl Palette {
         let enter = context.input(|input| input.key_pressed(Key::Enter));
         let mut chosen = None;
         let modal = Modal::new(Id::unique("palette")).frame(theme::dialog(context)).show(context, |ui| {
-            ui.set_width(theme::DIALOG_WIDTH);
-            let field =
-                ui.add(TextEdit::singleline(&mut self.typed).hint_text("Type a command").desired_width(f32::INFINITY));
-            name_it(ui, &field, "Find a command");
-            field.request_focus();
-            if field.changed() {
-                self.line = 0;
-                // The field was laid out before the keys were read.
-                context.request_repaint();
-            }
-            let found = matches(&self.typed, library);
-            self.line = (self.line + usize::from(down)).saturating_sub(usize::from(up)).min(found.len().max(1) - 1);
-            ui.add_space(theme::GAP);
-            ScrollArea::vertical().max_height(theme::DIALOG_LIST_HEIGHT).auto_shrink(false).show(ui, |ui| {
-                if found.is_empty() {
-                    ui.weak(format!("No command matches “{}”", visible::one_line(self.typed.trim())));
+            fitted(ui, theme::DIALOG_WIDTH, |ui| {
+                let field = ui.add(
+                    TextEdit::singleline(&mut self.typed).hint_text("Type a command").desired_width(f32::INFINITY),
+                );
+                name_it(ui, &field, "Find a command");
+                field.request_focus();
+                if field.changed() {
+                    self.line = 0;
+                    // The field was laid out before the keys were read.
+                    context.request_repaint();
                 }
-                for (line, row) in found.iter().enumerate() {
-                    let mut button =
-                        Button::selectable(line == self.line, (row.icon.unwrap_or(" "), row.name.as_str()));
-                    let (enabled, keys) = match row.does {
-                        Does::Command(command) => (state(command).enabled, command.row().shortcut_text(ui.ctx())),
-                        Does::Plugin(_) => (true, None),
-                    };
-                    if let Some(keys) = keys {
-                        button = button.shortcut_text(keys);
+                let found = matches(&self.typed, library);
+                self.line = (self.line + usize::from(down)).saturating_sub(usize::from(up)).min(found.len().max(1) - 1);
+                ui.add_space(theme::GAP);
+                ScrollArea::vertical().max_height(theme::DIALOG_LIST_HEIGHT).auto_shrink(false).show(ui, |ui| {
+                    if found.is_empty() {
+                        ui.weak(format!("No command matches “{}”", visible::one_line(self.typed.trim())));
                     }
-                    let response = ui.add_enabled(enabled, button.min_size([ui.available_width(), 0.0].into()));
-                    name_it(ui, &response, &format!("{}: {}", row.menu, row.name));
-                    if line == self.line && (down || up) {
-                        response.scroll_to_me(None);
+                    for (line, row) in found.iter().enumerate() {
+                        let mut button =
+                            Button::selectable(line == self.line, (row.icon.unwrap_or(" "), row.name.as_str()));
+                        let (enabled, keys) = match row.does {
+                            Does::Command(command) => (state(command).enabled, command.row().shortcut_text(ui.ctx())),
+                            Does::Plugin(_) => (true, None),
+                        };
+                        if let Some(keys) = keys {
+                            button = button.shortcut_text(keys);
+                        }
+                        let response = ui.add_enabled(enabled, button.min_size([ui.available_width(), 0.0].into()));
+                        name_it(ui, &response, &format!("{}: {}", row.menu, row.name));
+                        if line == self.line && (down || up) {
+                            response.scroll_to_me(None);
+                        }
+                        if response.on_hover_text(row.help).clicked() || (enter && line == self.line && enabled) {
+                            chosen = Some(match row.does {
+                                Does::Command(command) => Action::Command(command),
+                                Does::Plugin(origin) => Action::Plugin(origin.clone()),
+                            });
+                        }
                     }
-                    if response.on_hover_text(row.help).clicked() || (enter && line == self.line && enabled) {
-                        chosen = Some(match row.does {
-                            Does::Command(command) => Action::Command(command),
-                            Does::Plugin(origin) => Action::Plugin(origin.clone()),
-                        });
-                    }
-                }
+                });
             });
         });
         match chosen {

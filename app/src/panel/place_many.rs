@@ -30,7 +30,7 @@ pub(crate) fn default_places(center: glam::DVec3) -> Places {
 
 /// Asks in a corner, so that the clouds can be seen.
 pub(crate) fn ask_place_many(context: &Context, model: &str, places: &mut Places) -> Option<Answer> {
-    corner::ask(context, Id::unique("place many"), |ui| {
+    corner::ask(context, Id::unique("place many"), theme::DIALOG_WIDTH, |ui| {
         ui.heading("Many placements");
         ui.weak(format!("of “{model}”, around the point that the view looks at"));
         ui.add_space(theme::GAP);

@@ -1,7 +1,7 @@
 //! Asks how much a scene may change when sprites are dropped, and shows how far that has come.
 
 use crate::theme;
-use crate::widget::number_field;
+use crate::widget::{fitted, number_field};
 use cloudwright_core::property::Number;
 use egui::{Context, Grid, Id, Modal, ProgressBar, Ui};
 
@@ -34,7 +34,7 @@ pub(crate) fn ask_thinning(
 ) -> Option<ThinAnswer> {
     let modal = Modal::new(Id::unique("thin out")).frame(theme::dialog(context));
     let modal = modal.show(context, |ui| {
-        ui.set_max_width(theme::DIALOG_WIDTH);
+        fitted(ui, theme::DIALOG_WIDTH, |ui| {
         ui.heading("Thin out");
         ui.label(
             "Drops the sprites that show least, as long as no view differs by more than the tolerance: neither from the \
@@ -53,6 +53,7 @@ pub(crate) fn ask_thinning(
         }
         ui.add_space(theme::GAP);
         buttons(ui, done)
+        })
     });
     let escaped = context.input(|input| input.key_pressed(egui::Key::Escape));
     modal.inner.or(escaped.then_some(if done.is_some() { ThinAnswer::Stop } else { ThinAnswer::Close }))

@@ -54,10 +54,10 @@ pub(crate) const GALLERY_WIDTH: f32 = 620.0;
 pub(crate) const CATEGORIES_WIDTH: f32 = 306.0;
 /// Of messages, points.
 pub(crate) const TOAST_WIDTH: f32 = 340.0;
+/// Points.
+pub(crate) const LEAST_TOAST_WIDTH: f32 = 180.0;
 /// Between messages and the window's rim, points.
 pub(crate) const TOAST_MARGIN: f32 = 12.0;
-/// Of the status bar, points.
-pub(crate) const STATUS_HEIGHT: f32 = 30.0;
 /// Of a bar without text, points.
 pub(crate) const THIN_BAR: f32 = 4.0;
 /// Of a tint's mark in a list, points.

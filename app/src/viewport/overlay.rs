@@ -176,9 +176,10 @@ fn words_on(ui: &mut Ui, at: Pos2, align: Align2, text: &str, shade: Color32) {
 }
 
 fn text_on_shade(painter: &Painter, at: Pos2, align: Align2, text: &str) {
-    let galley = painter.layout_no_wrap(text.into(), FontId::proportional(11.0), theme::VIEWPORT_TEXT);
-    let text_rect = align.anchor_size(at, galley.size());
     let room = painter.clip_rect().shrink2(PLATE);
+    let width = room.width() - 2.0 * theme::VIEWPORT_MARGIN;
+    let galley = painter.layout(text.into(), FontId::proportional(11.0), theme::VIEWPORT_TEXT, width);
+    let text_rect = align.anchor_size(at, galley.size());
     let inwards = (room.right() - text_rect.right()).min(0.0).max(room.left() - text_rect.left());
     let upwards = (room.bottom() - text_rect.bottom()).min(0.0).max(room.top() - text_rect.top());
     let text_rect = text_rect.translate(vec2(inwards, upwards));

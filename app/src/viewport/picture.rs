@@ -109,7 +109,11 @@ impl PictureSource {
         let by_gpu = rasterizer == Rasterizer::Gpu;
         let last = self.cpu.as_ref().and_then(ByCpu::last);
         self.coarseness = if quick && !by_gpu { coarseness(rasterizer, self.coarseness, last) } else { 1 };
-        sight.size = sight.size.map(|side| side.div_ceil(self.coarseness).clamp(1, MAX_SIDE));
+        // Of a window larger than a texture, each pixel of the picture is several of the window's.
+        let most = self.context.input(|input| input.max_texture_side).clamp(1, MAX_SIDE as usize) as u32;
+        let [width, height] = sight.size;
+        self.coarseness = self.coarseness.max(width.max(height).div_ceil(most));
+        sight.size = sight.size.map(|side| side.div_ceil(self.coarseness).max(1));
         let key = Key { revision: session.revision(), sight };
         if self.asked.as_ref() == Some(&key) {
             return;

@@ -3,6 +3,7 @@
 pub(crate) mod checkerboard;
 mod chosen_level;
 mod fields;
+mod fitted;
 mod handle;
 pub(crate) mod kept;
 mod picture_choice;
@@ -12,6 +13,7 @@ pub(crate) use fields::{
     ENDLESS, Fields, MOST_CHARACTERS, Span, brightness_field, color_field, color32, combo, field_to_key, heading,
     key_button, lines_field, name_button, name_it, number_field, seed_field, span_field, text_field,
 };
+pub(crate) use fitted::fitted;
 pub(crate) use handle::{Handle, Handled};
 pub(crate) use kept::Kept;
 pub use picture_choice::{category_choice, preset_choice};

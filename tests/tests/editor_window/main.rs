@@ -38,6 +38,7 @@ mod tools;
 mod viewing;
 mod walk;
 mod weather_report;
+mod window_sizes;
 
 use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Editor, FileDialogs, Reply, Start};
@@ -92,10 +93,15 @@ impl Window {
 
     /// An editor of a user with these folders.
     fn open_with(folders: Option<Folders>) -> Self {
+        Self::open_sized(folders, [1280.0, 1200.0])
+    }
+
+    /// In a window of that size, points.
+    fn open_sized(folders: Option<Folders>, size: [f32; 2]) -> Self {
         let script = Script::default();
         let dialogs = script.clone();
         let harness = Harness::builder()
-            .with_size([1280.0, 1200.0])
+            .with_size(size)
             .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start(dialogs, folders)));
         Self { harness, script }
     }

@@ -16,6 +16,7 @@ use super::intent::{Intent, Then};
 use crate::storage::{Orphan, Over};
 use crate::theme;
 use crate::visible;
+use crate::widget::fitted;
 use cloudwright_core::problem::Problem;
 use egui::{Align2, Id, Modal, Ui};
 use question::Question;
@@ -197,10 +198,11 @@ fn window<T>(
     add: impl FnOnce(&mut Ui) -> Option<T>,
 ) -> Option<T> {
     let modal = Modal::new(Id::unique(heading)).frame(theme::dialog(context)).show(context, |ui| {
-        ui.set_width(width);
-        ui.heading(visible::one_line(heading));
-        ui.add_space(theme::GAP);
-        add(ui)
+        fitted(ui, width, |ui| {
+            ui.heading(visible::one_line(heading));
+            ui.add_space(theme::GAP);
+            add(ui)
+        })
     });
     let closed = modal.should_close();
     modal.inner.or(closed.then_some(or_closed))

@@ -8,7 +8,7 @@ pub(crate) use arriving::{ArrivingForm, ask_arriving};
 pub(crate) use leaving::{LeavingChosen, LeavingForm, ask_leaving};
 
 use crate::theme;
-use crate::widget::number_field;
+use crate::widget::{fitted, number_field};
 use cloudwright_core::exchange::{Note, NoteKind, OptionKind, OptionRow, Options};
 use egui::{Button, Context, Grid, Id, Modal, ProgressBar, ScrollArea, Ui};
 
@@ -42,22 +42,23 @@ pub(super) fn ask(
 ) -> Option<ExchangeAnswer> {
     let modal = Modal::new(Id::unique(title)).frame(theme::dialog(context));
     let modal = modal.show(context, |ui| {
-        ui.set_width(theme::DIALOG_WIDTH);
-        ui.heading(title);
-        ui.add_space(theme::GAP);
-        match stage {
-            Stage::Done(lines, notes) => outcome(ui, lines, notes),
-            Stage::Choosing(_) => add(ui),
-            Stage::Working(_) => {
-                ui.add_enabled_ui(false, add);
-            }
-        }
-        if let Stage::Choosing(Some(refusal)) = stage {
+        fitted(ui, theme::DIALOG_WIDTH, |ui| {
+            ui.heading(title);
             ui.add_space(theme::GAP);
-            ui.colored_label(ui.visuals().warn_fg_color, refusal);
-        }
-        ui.add_space(theme::GAP);
-        buttons(ui, stage, go, can_go)
+            match stage {
+                Stage::Done(lines, notes) => outcome(ui, lines, notes),
+                Stage::Choosing(_) => add(ui),
+                Stage::Working(_) => {
+                    ui.add_enabled_ui(false, add);
+                }
+            }
+            if let Stage::Choosing(Some(refusal)) = stage {
+                ui.add_space(theme::GAP);
+                ui.colored_label(ui.visuals().warn_fg_color, refusal);
+            }
+            ui.add_space(theme::GAP);
+            buttons(ui, stage, go, can_go)
+        })
     });
     let in_front = modal.is_top_modal && !modal.any_popup_open;
     let escaped = in_front && context.input(|input| input.key_pressed(egui::Key::Escape));

@@ -12,6 +12,7 @@ use crate::plugins::Origin;
 use crate::theme::{self, icon};
 use crate::units::Units;
 use crate::visible;
+use crate::widget::fitted;
 use cloudwright_core::scene::Scene;
 use cloudwright_scripts::{Plugin, PluginKind, Values};
 use egui::{Align2, Context, Id, RichText, ScrollArea, Spinner, Ui, Window, vec2};
@@ -44,8 +45,7 @@ pub(crate) struct Said<'a> {
 
 /// Asks in a corner, so that the scene can be seen as it would be.
 pub(crate) fn ask_plugin(context: &Context, form: &PluginForm<'_>, values: &mut Values) -> Option<Answer> {
-    corner::ask(context, Id::unique("plugin"), |ui| {
-        ui.set_width(theme::DIALOG_WIDTH);
+    corner::ask(context, Id::unique("plugin"), theme::DIALOG_WIDTH, |ui| {
         ui.heading(visible::one_line(form.title));
         ui.weak(visible::one_line(&form.plugin.description.sentence));
         if let Origin::File(path) = form.origin {
@@ -72,8 +72,7 @@ pub(crate) fn show_last_run(context: &Context, form: &PluginForm<'_>, values: &m
         .default_open(false)
         .open(&mut open)
         .show(context, |ui| {
-            ui.set_width(theme::DIALOG_WIDTH);
-            self::form(ui, form, values);
+            fitted(ui, theme::DIALOG_WIDTH, |ui| self::form(ui, form, values));
         });
     open
 }

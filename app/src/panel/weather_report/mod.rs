@@ -76,14 +76,13 @@ pub(crate) struct WeatherForm<'a> {
 
 /// Asks in a corner, so that the sky can be seen.
 pub(crate) fn ask_weather(context: &Context, form: &WeatherForm<'_>, chosen: &mut WeatherChosen) -> Option<Answer> {
-    corner::ask(context, Id::unique("weather report"), |ui| {
-        ui.set_width(theme::WIDE_DIALOG_WIDTH);
+    corner::ask(context, Id::unique("weather report"), theme::WIDE_DIALOG_WIDTH, |ui| {
         ui.heading("Weather from a report");
         ui.weak("METARs and TAFs become air, clouds and, if they are several, tracks with keys at their times.");
         ui.add_space(theme::GAP);
         let height = ui.ctx().content_rect().height() * theme::WIDE_FORM_SHARE;
         ScrollArea::vertical().id_salt("form").max_height(height).show(ui, |ui| {
-            ui.set_width(theme::WIDE_DIALOG_WIDTH);
+            ui.set_width(ui.available_width());
             if let Some(text) = lines_field(ui, "Reports", [HINT, HELP], ROWS, form.is_new, &chosen.text) {
                 chosen.text = text;
             }

@@ -1,0 +1,159 @@
+//! In small windows and in large ones, all that can be used is in the window, or comes into it when it is scrolled to.
+
+use crate::Window;
+use cloudwright::command::{Command, Menu, TABLE};
+use cloudwright::state::Item;
+use cloudwright_tests::root;
+use egui::accesskit::Role;
+use egui::{Key, Modifiers, Rect, vec2};
+use egui_kittest::Node;
+use egui_kittest::kittest::{NodeT, Queryable};
+
+const SIZES: [[f32; 2]; 2] = [[800.0, 600.0], [3840.0, 2160.0]];
+
+/// Everything of the kinds that are pressed, set or typed into.
+const CONTROLS: [Role; 7] =
+    [Role::Button, Role::SpinButton, Role::Slider, Role::ComboBox, Role::CheckBox, Role::TextInput, Role::ColorWell];
+
+fn open(size: [f32; 2]) -> Window {
+    let mut window = Window::open_sized(None, size);
+    window.harness.state_mut().open_path(&root().join("assets/scenes/fair_weather.cloudscene"));
+    window.settle();
+    window
+}
+
+impl Window {
+    fn size(&self) -> Rect {
+        self.harness.ctx.content_rect()
+    }
+
+    /// Controls by role, name and place among those of that name: lists lay out only what is in sight.
+    fn controls(&self) -> Vec<(Role, String, usize)> {
+        let mut found: Vec<(Role, String, usize)> = Vec::new();
+        for role in CONTROLS {
+            for node in self.harness.query_all_by_role(role) {
+                let name = node.accesskit_node().label().unwrap_or_default();
+                let before = found.iter().filter(|(of, other, _)| (*of, other) == (role, &name)).count();
+                found.push((role, name, before));
+            }
+        }
+        found
+    }
+
+    fn control(&self, (role, name, at): &(Role, String, usize)) -> Option<Node<'_>> {
+        let all = self.harness.query_all_by_role(*role);
+        all.filter(|node| node.accesskit_node().label().unwrap_or_default() == *name).nth(*at)
+    }
+
+    /// Scrolls to each control in turn, and sees that it has come into the window.
+    fn all_can_be_reached(&mut self, what: &str) {
+        let inside = self.size().expand(1.0);
+        for which in self.controls() {
+            let Some(node) = self.control(&which) else { continue };
+            if inside.contains_rect(node.rect()) || node.rect().width() < 1.0 {
+                continue;
+            }
+            node.scroll_to_me();
+            self.harness.run_steps(3);
+            let Some(node) = self.control(&which) else { continue };
+            let rect = node.rect();
+            // What is larger than its place shows at least where it begins.
+            let shows =
+                inside.contains(rect.left_top()) && inside.contains(rect.left_top() + rect.size().min(vec2(8.0, 8.0)));
+            assert!(shows, "{what} in {:?}: {which:?} at {rect:?}", self.size().size());
+        }
+    }
+}
+
+const PANELS: [Command; 11] = [
+    Command::OutlinePanel,
+    Command::InspectorPanel,
+    Command::LevelsPanel,
+    Command::GroupsPanel,
+    Command::SkyPanel,
+    Command::FlightPanel,
+    Command::TimelinePanel,
+    Command::ScriptPanel,
+    Command::ChartPanel,
+    Command::HistoryPanel,
+    Command::ProblemsPanel,
+];
+
+#[test]
+fn all_of_each_panel_can_be_reached() {
+    for size in SIZES {
+        let mut window = open(size);
+        let scene = window.scene();
+        let (cloud, model, path) = (scene.clouds[0].id, scene.models[0].id, scene.paths[0].id);
+        let of = scene.models[0].boxes[0].id;
+        for item in [Item::Cloud(cloud), Item::Model(model), Item::Box(model, of), Item::Path(path)] {
+            window.select([item]);
+            for panel in PANELS {
+                window.command(panel);
+                window.all_can_be_reached(&format!("{} with {item:?}", panel.row().name));
+            }
+        }
+    }
+}
+
+#[test]
+fn all_of_each_menu_can_be_reached() {
+    for size in SIZES {
+        let mut window = open(size);
+        for menu in Menu::ALL {
+            window.press(menu.name());
+            let rows: Vec<_> = TABLE.iter().filter(|row| row.menu == menu).collect();
+            for row in rows {
+                let role = Role::Button;
+                let find = |window: &Window| {
+                    let all = window.harness.query_all_by_role_and_label(role, row.name);
+                    all.map(|node| node.rect()).filter(|rect| rect.top() > 20.0 || menu == Menu::File).last()
+                };
+                if let Some(node) = window.harness.query_all_by_role_and_label(role, row.name).last() {
+                    node.scroll_to_me();
+                }
+                window.harness.run_steps(3);
+                let rect = find(&window).expect("it is in the menu");
+                assert!(window.size().contains_rect(rect), "{} in {:?}: {rect:?}", row.name, window.size().size());
+            }
+            window.keys(Modifiers::NONE, Key::Escape);
+        }
+    }
+}
+
+/// A command that asks, and a button of its answer.
+const DIALOGS: [(Command, &str); 7] = [
+    (Command::AddPreset, "Cancel"),
+    (Command::PlaceMany, "Cancel"),
+    (Command::ThinOut, "Cancel"),
+    (Command::WeatherReport, "Cancel"),
+    (Command::Export, "Cancel"),
+    (Command::RenderPicture, "Cancel"),
+    (Command::Palette, "File: New"),
+];
+
+#[test]
+fn all_of_each_dialog_can_be_reached() {
+    for size in SIZES {
+        let mut window = open(size);
+        let cloud = window.scene().clouds[0].id;
+        window.select([Item::Cloud(cloud)]);
+        for (command, answer) in DIALOGS {
+            window.command(command);
+            assert!(window.harness.query_by_role_and_label(Role::Button, answer).is_some(), "{}", command.row().name);
+            window.all_can_be_reached(command.row().name);
+            window.keys(Modifiers::NONE, Key::Escape);
+        }
+        assert!(!window.shows("Cancel"));
+    }
+}
+
+#[test]
+fn messages_cover_no_field() {
+    for size in SIZES {
+        let window = open(size);
+        let picture = window.harness.get_by_label("Viewport").rect();
+        let message = window.harness.get_by_label_contains("Opened ").rect();
+        assert!(picture.contains_rect(message), "{message:?} in {picture:?}");
+    }
+}
