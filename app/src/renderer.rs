@@ -11,10 +11,12 @@ use cloudwright_core::raster::develop;
 use cloudwright_core::rules::{Rasterizer, Rules};
 use cloudwright_core::watch::Watch;
 use cloudwright_render::{AdapterChoice, Gpu, GpuError, PassClock};
+use serde::{Deserialize, Serialize};
 use std::time::Duration;
 
 /// What the user asked for.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, ValueEnum, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
 pub enum RendererChoice {
     /// A GPU if there is one, else the CPU
     #[default]

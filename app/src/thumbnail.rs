@@ -1,9 +1,11 @@
-//! Small pictures of ready-made clouds, drawn by the CPU off the frame.
+//! Small pictures of ready-made clouds, skies and scenes, drawn by the CPU off the frame.
 //!
 //! A choice of pictures asks for that of each [`Subject`] that it shows. The first time, that queues it for a thread of its
 //! own, which draws one after the other and wakes the window after each; from then on the texture is there for the
 //! session. Nothing is drawn, and no thread runs, before the first choice is shown.
 
+use crate::opening;
+use crate::starter::Template;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw;
 use cloudwright_core::frame::Frame;
@@ -19,6 +21,7 @@ use cloudwright_core::watch::Watch;
 use egui::{ColorImage, Context, TextureHandle, TextureId, TextureOptions};
 use glam::DVec3;
 use std::collections::HashMap;
+use std::path::PathBuf;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::thread;
 
@@ -26,14 +29,20 @@ use std::thread;
 pub(crate) const SIZE: [u32; 2] = [192, 120];
 /// Samples along a pixel's side.
 const SAMPLES_SIDE: u32 = 2;
+/// Of a file's scene: more take long.
+const MOST_SPRITES: u64 = 300_000;
 
 /// What there is a picture of.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, PartialEq, Eq, Hash)]
 pub enum Subject {
     /// A ready-made cloud, as its own scene shows it.
     Preset(&'static Preset),
     /// A box of that category's sprites.
     Category(Category),
+    /// A sky to begin with, as its first camera sees it.
+    Template(Template),
+    /// A scene's file, as its first camera sees it.
+    File(PathBuf),
 }
 
 /// The pictures drawn so far in this session.
@@ -57,18 +66,18 @@ impl Thumbnails {
     }
 
     /// The picture of `subject`, 192 × 120 pixels; none while it is still to come.
-    pub fn texture(&mut self, subject: Subject) -> Option<TextureId> {
+    pub fn texture(&mut self, subject: &Subject) -> Option<TextureId> {
         self.take_up();
-        if let Some(texture) = self.textures.get(&subject) {
+        if let Some(texture) = self.textures.get(subject) {
             return texture.as_ref().map(TextureHandle::id);
         }
         // Without a thread (the system gives none) a choice shows names alone.
         if self.artist.is_none() {
             self.artist = Artist::start(&self.context).ok();
         }
-        let asked = self.artist.as_ref().is_some_and(|artist| artist.subjects.send(subject).is_ok());
+        let asked = self.artist.as_ref().is_some_and(|artist| artist.subjects.send(subject.clone()).is_ok());
         if asked {
-            self.textures.insert(subject, None);
+            self.textures.insert(subject.clone(), None);
         }
         None
     }
@@ -91,7 +100,7 @@ impl Artist {
         let context = context.clone();
         thread::Builder::new().name("thumbnails".into()).spawn(move || {
             for subject in asked {
-                let Some(picture) = draw(subject) else { continue };
+                let Some(picture) = draw(&subject) else { continue };
                 if drawn.send((subject, picture)).is_err() {
                     return;
                 }
@@ -102,16 +111,25 @@ impl Artist {
     }
 }
 
-/// None for a scene without a camera, which none of them is.
-fn draw(subject: Subject) -> Option<Picture> {
+/// None for a scene without a camera, and for a file that is no scene, or so large a one that a picture would take long.
+fn draw(subject: &Subject) -> Option<Picture> {
     let scene = match subject {
         Subject::Preset(preset) => preset.scene(),
-        Subject::Category(category) => sample_of(category),
+        Subject::Category(category) => sample_of(*category),
+        Subject::Template(template) => template.scene().ok()?,
+        Subject::File(path) => opening::open_scene(path).ok().filter(|scene| candidates(scene) < MOST_SPRITES)?,
     };
     let derived = Derived::new(&scene);
     let rules = Rules { samples_side: SAMPLES_SIDE, ..Rules::SHIPPED };
     let sight = Sight { rules, ..Sight::still(scene.cameras.first()?, SIZE) };
     draw::picture(&Frame::new(&scene, &derived, Atlas::built_in(), &sight), &Watch::default())
+}
+
+/// The sprites that a scene's clouds try.
+fn candidates(scene: &Scene) -> u64 {
+    let of_model = |model: &CloudModel| model.boxes.iter().map(|each| u64::from(each.sprite_count)).sum::<u64>();
+    let counts: HashMap<ModelId, u64> = scene.models.iter().map(|model| (model.id, of_model(model))).collect();
+    scene.clouds.iter().filter_map(|cloud| counts.get(&cloud.model)).sum()
 }
 
 /// The same few sprites for each category, so that nothing but their tiles tells them apart. The seed is one under
@@ -150,7 +168,7 @@ mod tests {
     fn every_subject_has_a_picture_with_a_cloud_in_it() {
         let presets = Preset::ALL.iter().map(Subject::Preset);
         for subject in presets.chain(Category::ALL.into_iter().map(Subject::Category)) {
-            let picture = draw(subject).expect("a camera");
+            let picture = draw(&subject).expect("a camera");
             assert_eq!([picture.width, picture.height], SIZE, "{subject:?}");
             let of_sky = |[r, _, b, _]: [u8; 4]| i32::from(b) > i32::from(r) + 24;
             // The upper two thirds: below lies the ground.

@@ -124,6 +124,7 @@ fn frames(scene: &Scene, steps: u32, (item, label): (Item, &str)) -> ([FrameTime
     std::fs::write(&path, scene_file::write(scene).expect("finite numbers")).expect("writable");
     let start = Start {
         scene: Some(path),
+        start_page: false,
         renderer: RendererChoice::Cpu,
         device: None,
         file_dialogs: Box::new(NativeDialogs),

@@ -61,6 +61,7 @@ impl FileDialogs for NoDialogs {
 fn check(name: &str, command: Command, light: bool) -> Result<(), Failed> {
     let start = Start {
         scene: None,
+        start_page: false,
         renderer: RendererChoice::Cpu,
         device: None,
         file_dialogs: Box::new(NoDialogs),

@@ -7,7 +7,7 @@ use std::path::Path;
 
 const HINT: &str = "without a display, `cloudwright render SCENE -o PNG` draws a scene";
 
-pub(super) fn run(scene: Option<&Path>, renderer: RendererChoice) -> Result<(), Failure> {
+pub(super) fn run(scene: Option<&Path>, renderer: Option<RendererChoice>) -> Result<(), Failure> {
     if !has_display() {
         return Err(Failure::could_not("there is no display to open the editor on", HINT));
     }

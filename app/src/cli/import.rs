@@ -8,7 +8,7 @@ use super::weather::layer_line;
 use super::{answer, info, input, say};
 use crate::exchange::{CameIn, ChooseError, ComeInError, Placing, ReadError, called, choose, come_in, read};
 use crate::reports::{MOST_TIME, MakeError};
-use crate::state::empty_sky;
+use crate::starter::empty_sky;
 use crate::storage::FileId;
 use crate::units::counted;
 use crate::{opening, saving, storage};

@@ -3,7 +3,7 @@
 use super::arguments::did_you_mean;
 use super::failure::Failure;
 use super::input;
-use crate::state::starter_scene;
+use crate::starter::starter_scene;
 use cloudwright_core::preset::Preset;
 use cloudwright_core::scene::Scene;
 use std::fmt::Write;

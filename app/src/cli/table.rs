@@ -28,9 +28,9 @@ pub(super) struct Arguments {
     /// Scene to open in the editor; a new one if there is none
     #[arg(value_name = "SCENE")]
     pub(super) scene: Option<PathBuf>,
-    /// What draws the editor's viewport
-    #[arg(long, value_enum, default_value_t)]
-    pub(super) renderer: RendererChoice,
+    /// What draws the editor's viewport [default: as in its preferences, which are auto at first]
+    #[arg(long, value_enum)]
+    pub(super) renderer: Option<RendererChoice>,
     #[command(subcommand)]
     pub(super) command: Option<Subcommand>,
 }

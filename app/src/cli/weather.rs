@@ -6,7 +6,7 @@ use super::progress::Progress;
 use super::run::failure as plugin_failure;
 use super::{answer, input, say};
 use crate::reports::{self, Line, MOST_TIME, MadeLayer, MakeError, Making, make, reading, words};
-use crate::state::empty_sky;
+use crate::starter::empty_sky;
 use crate::storage::FileId;
 use crate::units::{Units, counted};
 use crate::{opening, saving, storage};

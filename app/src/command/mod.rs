@@ -36,11 +36,13 @@ pub enum Menu {
     Plugins,
     /// Panels.
     Window,
+    /// How things are done, and what this is.
+    Help,
 }
 
 impl Menu {
     /// All, in the order of the menu bar.
-    pub const ALL: [Self; 10] = [
+    pub const ALL: [Self; 11] = [
         Self::File,
         Self::Edit,
         Self::Add,
@@ -51,7 +53,32 @@ impl Menu {
         Self::Keys,
         Self::Plugins,
         Self::Window,
+        Self::Help,
     ];
+
+    /// Alt and this key open it: a letter of its name that no command of the editor's own keymap has with Alt.
+    pub const fn key(self) -> Key {
+        match self {
+            Self::File => Key::F,
+            Self::Edit => Key::E,
+            Self::Add => Key::D,
+            Self::Shade => Key::S,
+            Self::View => Key::V,
+            Self::Tool => Key::T,
+            Self::Flight => Key::I,
+            Self::Keys => Key::K,
+            Self::Plugins => Key::P,
+            Self::Window => Key::W,
+            Self::Help => Key::L,
+        }
+    }
+
+    /// The keys that open it, unless a command has them.
+    pub(crate) fn shortcut(self, context: &egui::Context) -> Option<KeyboardShortcut> {
+        let keys = KeyboardShortcut::new(Modifiers::ALT, self.key());
+        let taken = keymap::of(context).all().any(|(others, _)| others == keys);
+        (!taken).then_some(keys)
+    }
 
     /// As in the menu bar.
     pub const fn name(self) -> &'static str {
@@ -66,6 +93,7 @@ impl Menu {
             Self::Keys => "Keys",
             Self::Plugins => "Plugins",
             Self::Window => "Window",
+            Self::Help => "Help",
         }
     }
 }
@@ -162,6 +190,7 @@ commands! {
         FitSprites: "Fit sprites to box", "Give the selected boxes as many and as large sprites as fill them.", NONE, None;
         ResetSprites: "Reset sprites", "Take back what was changed by hand about the selected sprites or boxes.", NONE, None;
         CopyPicture: "Copy picture", "Put what the view shows onto the clipboard, as an image.", NONE, None;
+        Preferences: "Preferences…", "Look, units, keys and the like, all in one place.", ctrl(Key::Comma), None;
         Delete: "Delete", "Take the selection out of the scene.", key(Key::Delete), Some(icon::TRASH);
     }
     Add {
@@ -286,6 +315,16 @@ commands! {
         HistoryPanel: "History", "Show the panel of changes.", NONE, Some(icon::CLOCK_COUNTER_CLOCKWISE);
         ProblemsPanel: "Problems", "Show the panel of what is wrong.", NONE, Some(icon::WARNING);
         ResetLayout: "Reset layout", "Put all panels back to their places.", NONE, None;
+        SaveLayout: "Save layout as…", "Keep where the panels are under a name.", NONE, None;
+        Layouts: "Layouts…", "Choose a layout that was saved by name, or delete it.", NONE, None;
+        StartPage: "Start page", "Recent scenes with their pictures, and skies to begin with.", NONE, None;
+    }
+    Help {
+        Manual: "Manual", "How everything is done, as pages that can be searched.", key(Key::F1), None;
+        Tour: "Tour", "Seven steps round the window; it can be left at any time.", NONE, None;
+        WhatsNew: "What's new", "What has come and changed.", NONE, None;
+        ReportProblem: "Report a problem…", "Gather what is needed to find a fault into a file, which you may read and send.", NONE, None;
+        About: "About Cloudwright", "Version, renderer and driver.", NONE, Some(icon::INFO);
     }
 }
 
@@ -342,6 +381,16 @@ mod tests {
                 assert_ne!(a.name, b.name);
             }
             assert_eq!(a.command.row().name, a.name);
+        }
+    }
+
+    #[test]
+    fn each_menu_opens_by_a_letter_of_its_own() {
+        for (i, menu) in Menu::ALL.iter().enumerate() {
+            let (letter, name) = (menu.key().name(), menu.name());
+            assert!(name.to_uppercase().contains(letter), "{name}");
+            assert!(Menu::ALL[i + 1..].iter().all(|other| other.key() != menu.key()), "{name}");
+            assert!(TABLE.iter().all(|row| row.shortcut != alt(menu.key())), "{name}");
         }
     }
 }

@@ -1,6 +1,7 @@
 //! Unsaved work is kept for the case of a crash, and offered at the next start.
 //!
-//! As soon as the document is modified, and with each undo point from then on, the scene goes to the thread that keeps
+//! As soon as the document is modified, and with each undo point from then on (or, if the user prefers, only after some
+//! seconds), the scene goes to the thread that keeps
 //! it in the editor's recovery slot ([`RescueWriter`]). What a gesture does is kept when the
 //! gesture ends. A save, or an end on purpose, clears the slot.
 
@@ -14,10 +15,11 @@ use cloudwright_core::document::Past;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::Problem;
 use std::path::PathBuf;
+use std::time::{Duration, Instant};
 
 impl Editor {
     /// Has what is unsaved kept, if it is not what was asked for last.
-    pub(super) fn autosave(&mut self) {
+    pub(super) fn autosave(&mut self, context: &egui::Context) {
         let Some(writer) = &self.disk.rescue_writer else { return };
         if !self.session.document().is_modified() {
             return self.drop_rescue();
@@ -27,6 +29,12 @@ impl Editor {
         if self.disk.kept.as_ref().is_some_and(|kept| kept.is_of(&scene, path, known)) {
             return;
         }
+        let pause = Duration::from_secs(self.disk.settings().keep_work_every_s().into());
+        let rest = self.disk.kept_at.map_or(Duration::ZERO, |at| pause.saturating_sub(at.elapsed()));
+        if !rest.is_zero() {
+            return context.request_repaint_after(rest);
+        }
+        self.disk.kept_at = Some(Instant::now());
         let (path, past) = (path.map(PathBuf::from), self.session.document().past());
         let unsaved = Unsaved { scene, path, known, past };
         writer.keep(unsaved.clone());
@@ -40,6 +48,7 @@ impl Editor {
 
     /// Nothing is unsaved any more.
     pub(super) fn drop_rescue(&mut self) {
+        self.disk.kept_at = None;
         if let (Some(_), Some(writer)) = (self.disk.kept.take(), &self.disk.rescue_writer) {
             writer.clear();
         }

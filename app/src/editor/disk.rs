@@ -6,6 +6,7 @@ use super::dialogs::Dialog;
 use super::done::{Done, unkept};
 use crate::storage::{Folders, RescueWriter, Settings, Stamp, Unsaved, Watcher};
 use crate::worker::InOrder;
+use std::time::Instant;
 
 /// Files and memory of one editor.
 pub(super) struct Disk {
@@ -21,6 +22,10 @@ pub(super) struct Disk {
     pub(super) watcher: Option<Watcher<Stamp>>,
     /// The document's file as it was last read or written here; none if there is none.
     pub(super) known: Option<Stamp>,
+    /// How large the interface was in the last frame.
+    pub(super) scale: Option<f32>,
+    /// When unsaved work was last given to be kept.
+    pub(super) kept_at: Option<Instant>,
     /// Of the window, points.
     pub(super) window_size: Option<[f32; 2]>,
 }
@@ -44,6 +49,8 @@ impl Disk {
             kept: None,
             watcher: Watcher::start(Stamp::of, move || for_watcher.request_repaint()).ok(),
             known: None,
+            scale: None,
+            kept_at: None,
             window_size: None,
         };
         (disk, notices)
@@ -87,8 +94,10 @@ impl Editor {
                 Done::Exported { path, lines, outcome } => self.exported(&path, lines, outcome),
                 Done::ScriptRead { path, stamp, outcome } => self.script_read(&path, stamp, outcome),
                 Done::ScriptSaved { path, text, outcome } => self.script_saved(path, text, outcome, context),
+                Done::Reported { path, outcome } => self.reported(&path, outcome),
                 Done::FolderShown(Err(error)) => self.tell_error(error.to_string()),
                 Done::FolderShown(Ok(())) => {}
+                Done::StillThere(scenes) => self.dialogs.tell_recent(scenes),
                 Done::Recent(scenes) => self.dialogs.open(Dialog::Recent(scenes)),
             }
         }

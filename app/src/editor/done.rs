@@ -32,8 +32,15 @@ pub(super) enum Done {
         text: String,
         outcome: Result<Stamp, StorageError>,
     },
+    /// A report of a problem was written, or was not.
+    Reported {
+        path: PathBuf,
+        outcome: Result<(), StorageError>,
+    },
     /// A folder was shown in the file manager, or could not be.
     FolderShown(Result<(), StorageError>),
+    /// The last scenes, those that are still there.
+    StillThere(Vec<PathBuf>),
     /// The last scenes, and whether each is still there.
     Recent(Vec<(PathBuf, bool)>),
 }

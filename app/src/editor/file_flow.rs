@@ -9,7 +9,8 @@ use super::files::{Ask, Reply, Waiting};
 use super::intent::{Intent, Then};
 use crate::opening::{self, OpenError};
 use crate::panel::Panel;
-use crate::state::{Session, ViewState, starter_scene};
+use crate::starter::starter_scene;
+use crate::state::{Session, ViewState};
 use crate::storage::Stamp;
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::Scene;
@@ -42,6 +43,16 @@ impl Editor {
                 self.replace(Session::new(starter_scene(), None), None);
                 self.toasts.forget_errors();
             }
+            Intent::Begin(template) => match template.scene() {
+                Ok(scene) => {
+                    let mut session = Session::new(scene, None);
+                    let problems = session.load_beside();
+                    self.replace(session, None);
+                    self.dialogs.list(Path::new(template.label()), problems);
+                    self.toasts.forget_errors();
+                }
+                Err(problems) => self.dialogs.list(Path::new(template.label()), problems),
+            },
             Intent::OpenFile(path) => self.open_path(&path),
             Intent::Take(scene) => {
                 let mut session = Session::new(Scene::clone(&scene), None);
@@ -135,6 +146,7 @@ impl Editor {
             // A folder is no file that might be lost; what lies in it is heeded.
             Ask::Frames(_) => self.film_to(&path, true, context),
             Ask::Arrive(_) => self.ask_arriving(&path),
+            Ask::Report(_) => self.report_to(&path, asked_already),
             Ask::Model(item, _) => self.use_model(*item, &path),
         }
     }
@@ -149,6 +161,7 @@ impl Editor {
             return;
         };
         let path = file.path();
+        self.dialogs.leave_start_page();
         let name = path.file_name().unwrap_or_default().to_string_lossy();
         if !path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case(scene_file::EXTENSION)) {
             self.tell_error(format!("{name} is no scene: drop a .{} file", scene_file::EXTENSION));

@@ -31,6 +31,8 @@ pub enum Ask {
     Video(PathBuf),
     /// Of a folder for a film's frames, with the file that it begins beside.
     Frames(PathBuf),
+    /// Of a report of a problem, with the name to start from.
+    Report(PathBuf),
     /// Of a file of another program's to read, with the file that the dialog begins beside.
     Arrive(PathBuf),
     /// Of the model of that aircraft or prop, which lies beside the scene's file.
@@ -76,7 +78,7 @@ impl FileDialogs for NativeDialogs {
                 dialog.add_filter("What other programs make", &endings)
             }
             Ask::Frames(_) => dialog,
-            Ask::Export(start) | Ask::Leave(start) | Ask::Picture(start) | Ask::Video(start) => {
+            Ask::Export(start) | Ask::Leave(start) | Ask::Picture(start) | Ask::Video(start) | Ask::Report(start) => {
                 match start.extension().and_then(|ending| ending.to_str()) {
                     Some(ending) => dialog.add_filter(format!("{} files", ending.to_uppercase()), &[ending]),
                     None => dialog,
@@ -93,6 +95,7 @@ impl FileDialogs for NativeDialogs {
             | Ask::Leave(start)
             | Ask::Picture(start)
             | Ask::Video(start)
+            | Ask::Report(start)
             | Ask::SaveScript(start) => {
                 let name = start.file_name().unwrap_or_default().to_string_lossy().into_owned();
                 let title = match ask {
@@ -100,6 +103,7 @@ impl FileDialogs for NativeDialogs {
                     Ask::SaveScript(_) => "Save script as",
                     Ask::Picture(_) => "Render picture to",
                     Ask::Video(_) => "Render flight to",
+                    Ask::Report(_) => "Save report as",
                     _ => "Save scene as",
                 };
                 let dialog = dialog.set_title(title).set_file_name(name);

@@ -1,5 +1,6 @@
 //! What is to come after the present document.
 
+use crate::starter::Template;
 use crate::state::ScriptChange;
 use cloudwright_core::scene::Scene;
 use std::path::PathBuf;
@@ -9,6 +10,8 @@ use std::sync::Arc;
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Intent {
     New,
+    /// That sky, as a scene that has no file yet.
+    Begin(Template),
     OpenFile(PathBuf),
     /// A scene that has no file yet.
     Take(Arc<Scene>),

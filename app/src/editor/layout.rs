@@ -2,6 +2,7 @@
 
 use crate::panel::Panel;
 use crate::theme;
+use crate::widget::name_it;
 use egui::scroll_area::{DragScroll, ScrollSource};
 use egui::{Id, Rect, ScrollArea, Ui, WidgetText};
 use egui_tiles::{
@@ -39,7 +40,8 @@ impl Layout {
     pub(super) fn from_saved(saved: &serde_json::Value) -> Option<Self> {
         let tree: Tree<Panel> = serde::Deserialize::deserialize(saved).ok()?;
         let viewports = tree.tiles.iter().filter(|(_, tile)| matches!(tile, Tile::Pane(Panel::Viewport))).count();
-        (viewports == 1 && tree.root.is_some()).then_some(Self { tree, changed: false, untouched: false })
+        let is_sound = viewports == 1 && tree.root.is_some_and(|root| holds_once(&tree.tiles, root, &mut Vec::new()));
+        is_sound.then_some(Self { tree, changed: false, untouched: false })
     }
 
     /// To be kept between starts.
@@ -52,15 +54,16 @@ impl Layout {
         std::mem::take(&mut self.changed)
     }
 
-    /// Shows all panels; `show` puts the content of one on the screen.
-    pub(super) fn show(&mut self, ui: &mut Ui, show: impl FnMut(Panel, &mut Ui)) {
+    /// Shows all panels; `show` puts the content of one on the screen. The panel that help was asked about, if any.
+    pub(super) fn show(&mut self, ui: &mut Ui, show: impl FnMut(Panel, &mut Ui)) -> Option<Panel> {
         if self.untouched {
             self.share_out(ui.available_width());
         }
-        let mut panes = Panes { show, changed: false, in_front: self.tree.active_tiles() };
+        let mut panes = Panes { show, changed: false, in_front: self.tree.active_tiles(), asked: None };
         self.tree.ui(&mut panes, ui);
         self.changed |= panes.changed;
         self.untouched &= !panes.changed;
+        panes.asked
     }
 
     /// Whether a panel is on the screen: not closed, and not behind another one's tab.
@@ -71,14 +74,23 @@ impl Layout {
 
     /// Where the picture is; all the window while it is behind another tab.
     pub(super) fn picture_place(&self, context: &egui::Context) -> Rect {
-        let tile = self.tree.tiles.find_pane(&Panel::Viewport).filter(|_| self.shows(Panel::Viewport));
-        let place = tile.and_then(|tile| self.tree.tiles.rect(tile));
-        place.filter(Rect::is_positive).unwrap_or_else(|| context.content_rect())
+        self.place_of(Panel::Viewport).unwrap_or_else(|| context.content_rect())
+    }
+
+    /// Where a panel was in the last frame, if it is on the screen.
+    pub(super) fn place_of(&self, panel: Panel) -> Option<Rect> {
+        let tile = self.tree.tiles.find_pane(&panel).filter(|_| self.shows(panel));
+        tile.and_then(|tile| self.tree.tiles.rect(tile)).filter(Rect::is_positive)
+    }
+
+    /// Another one in place of this.
+    pub(super) fn replace(&mut self, other: Self) {
+        *self = Self { changed: true, ..other };
     }
 
     /// All panels to their places.
     pub(super) fn reset(&mut self) {
-        *self = Self { changed: true, ..Self::default() };
+        self.replace(Self::default());
     }
 
     /// Shows the tab of a panel that has not been moved, unless the user has arranged panels before.
@@ -171,6 +183,21 @@ impl Layout {
     }
 }
 
+/// Whether `tile` is there, and no other is within it twice or within itself.
+fn holds_once(tiles: &Tiles<Panel>, tile: TileId, seen: &mut Vec<TileId>) -> bool {
+    if seen.contains(&tile) {
+        return false;
+    }
+    seen.push(tile);
+    match tiles.get(tile) {
+        Some(Tile::Pane(_)) => true,
+        Some(Tile::Container(container)) => {
+            container.children_vec().into_iter().all(|child| holds_once(tiles, child, seen))
+        }
+        None => false,
+    }
+}
+
 fn default_tree() -> Tree<Panel> {
     let mut tiles = Tiles::default();
     let mut tabs = |panels: &[Panel]| {
@@ -203,6 +230,8 @@ struct Panes<F> {
     changed: bool,
     /// Tiles that no other's tab is before.
     in_front: Vec<TileId>,
+    /// The panel that help was asked about.
+    asked: Option<Panel>,
 }
 
 impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
@@ -225,6 +254,22 @@ impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
         // The viewport stays. Tabs behind others can be closed once they are in front: so more have room.
         let is_viewport = matches!(tiles.get(tile), Some(Tile::Pane(Panel::Viewport)) | None);
         !is_viewport && self.in_front.contains(&tile)
+    }
+
+    fn top_bar_right_ui(
+        &mut self,
+        tiles: &Tiles<Panel>,
+        ui: &mut Ui,
+        _tile: TileId,
+        tabs: &egui_tiles::Tabs,
+        _scroll_offset: &mut f32,
+    ) {
+        let Some(Tile::Pane(panel)) = tabs.active.and_then(|active| tiles.get(active)) else { return };
+        let button = ui.add(egui::Button::new("?").frame(false));
+        name_it(ui, &button, &format!("Help on {}", panel.name()));
+        if button.on_hover_text(format!("The manual's page on {}", panel.name())).clicked() {
+            self.asked = Some(*panel);
+        }
     }
 
     fn gap_width(&self, _style: &egui::Style) -> f32 {

@@ -15,19 +15,24 @@ mod files;
 mod flight;
 mod intent;
 mod layout;
+mod layouts;
 mod on_disk;
 mod perform;
 mod place_many;
 mod plugins;
+mod preferences;
 mod progress;
 mod recording;
 mod remember;
 mod rendering;
+mod report;
 mod save_flow;
 mod script;
+mod start_page;
 mod thinning;
 mod time_play;
 mod toasts;
+mod tour;
 mod trial;
 mod weather_report;
 mod window;
@@ -35,10 +40,11 @@ mod window;
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
 pub use window::open_window;
 
-use crate::command::{self, Command};
-use crate::panel::{self, Palette, Panel};
+use crate::command::{self, Command, Menu};
+use crate::panel::{self, Manual, Palette, Panel};
 use crate::renderer::RendererChoice;
-use crate::state::{Action, Charting, Clock, Reading, Selection, Session, TimePlay, ViewState, starter_scene};
+use crate::starter::starter_scene;
+use crate::state::{Action, Charting, Clock, Reading, Selection, Session, TimePlay, ViewState};
 use crate::storage::Folders;
 use crate::theme;
 use crate::thumbnail::Thumbnails;
@@ -71,6 +77,9 @@ pub struct Editor {
     viewport: Viewport,
     layout: Layout,
     palette: Option<Palette>,
+    manual: Option<Manual>,
+    /// The step that is shown.
+    tour: Option<usize>,
     place_many: Option<PlaceMany>,
     plugins: Plugins,
     writing: Writing,
@@ -95,6 +104,8 @@ pub struct Editor {
     waiting: Option<Waiting>,
     after_save: Option<Intent>,
     dialogs: Dialogs,
+    /// To be written when its file is named.
+    report_text: Option<String>,
     toasts: Toasts,
     /// Shared by dialogs and panels that show pictures to choose from, which only read all else.
     thumbnails: RefCell<Thumbnails>,
@@ -112,6 +123,8 @@ pub struct Editor {
 pub struct Start {
     /// A scene to open; a new one if there is none. Problems of the file are shown in the window.
     pub scene: Option<PathBuf>,
+    /// Whether recent scenes and skies to begin with are offered.
+    pub start_page: bool,
     /// What draws the viewport.
     pub renderer: RendererChoice,
     /// The window's device.
@@ -125,7 +138,7 @@ pub struct Start {
 impl Editor {
     /// An editor for a window.
     pub fn new(context: &egui::Context, start: Start) -> Self {
-        let Start { scene: path, renderer, device, file_dialogs, folders } = start;
+        let Start { scene: path, start_page, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
         let plugins = Plugins::new(context, folders.as_ref().map(Folders::plugins));
         let (disk, notices) = Disk::new(context, folders);
@@ -136,6 +149,8 @@ impl Editor {
             view: ViewState::default(),
             layout: Layout::default(),
             palette: None,
+            manual: None,
+            tour: None,
             place_many: None,
             plugins,
             writing: Writing::new(context),
@@ -158,6 +173,7 @@ impl Editor {
             waiting: None,
             after_save: None,
             dialogs: Dialogs::default(),
+            report_text: None,
             toasts: Toasts::default(),
             thumbnails: RefCell::new(Thumbnails::new(context)),
             gesture_dropped: false,
@@ -169,6 +185,9 @@ impl Editor {
         editor.recall(context);
         if let Some(path) = path {
             editor.open_path(&path);
+        }
+        if start_page {
+            editor.show_start_page();
         }
         for notice in notices {
             editor.tell_error(notice);
@@ -284,12 +303,12 @@ impl Editor {
         panel::CommandState { enabled: self.can(command), on: self.is_on(command), on_what }
     }
 
-    /// Bars and panels. What they ask for.
-    fn panels(&mut self, ui: &mut egui::Ui) -> Vec<Action> {
+    /// Bars and panels, with that menu to be opened. What they ask for.
+    fn panels(&mut self, ui: &mut egui::Ui, menu: Option<Menu>) -> Vec<Action> {
         let mut actions = Vec::new();
         let state = |command| self.state_of(command);
         egui::Panel::top("menus").frame(theme::bar(ui)).show(ui, |ui| {
-            panel::menu_bar(ui, &state, self.plugins.library(), &mut actions);
+            panel::menu_bar(ui, &state, self.plugins.library(), menu, &mut actions);
         });
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
         let Self {
@@ -306,6 +325,7 @@ impl Editor {
             disk,
             plugins,
             writing,
+            manual,
             ..
         } = self;
         let reading = Reading {
@@ -335,12 +355,21 @@ impl Editor {
             panel::status(ui, &reading, &drawn, disk.saving, &mut actions);
         });
         egui::CentralPanel::no_frame().show(ui, |ui| {
-            layout.show(ui, |panel, ui| match panel {
+            let asked = layout.show(ui, |panel, ui| match panel {
                 Panel::Viewport => viewport.show(ui, &reading, &mut actions),
                 other => other.show(ui, &reading, &mut actions),
             });
+            if let Some(panel) = asked {
+                *manual = Some(Manual::at(panel.name()));
+            }
         });
         actions
+    }
+
+    fn show_manual(&mut self, context: &egui::Context) {
+        if self.manual.as_mut().is_some_and(|manual| !manual.show(context)) {
+            self.manual = None;
+        }
     }
 
     fn show_palette(&mut self, context: &egui::Context) {
@@ -367,11 +396,13 @@ impl eframe::App for Editor {
         self.run_clock(&context);
         self.keep_chart(&context);
         let mut actions: Vec<Action> = Vec::new();
+        let mut menu = None;
         if !self.is_asking() && !self.viewport.has_keys() {
+            menu = panel::wanted_menu(&context);
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
         }
         self.session.mute(self.view.timeline.muted(self.clock.time_s()));
-        actions.extend(self.panels(ui));
+        actions.extend(self.panels(ui, menu));
         self.record(&context);
         self.carry_out(actions, &context);
         self.end_gesture_on_release(&context);
@@ -389,9 +420,11 @@ impl eframe::App for Editor {
         self.keep_copying(&context);
         self.show_plugin(&context);
         self.show_last_run(&context);
+        self.show_manual(&context);
+        self.show_tour(&context);
         self.toasts.show(&context, self.layout.picture_place(&context));
         self.show_title(&context);
-        self.autosave();
+        self.autosave(&context);
         self.watch_file(&context);
         self.keep_plugins(&context);
         self.remember_look(&context);

@@ -2,34 +2,23 @@
 
 use super::Editor;
 use super::done::Done;
-use super::layout::Layout;
-use crate::command::keymap;
-use crate::storage::{self, ThemeChoice};
-use egui::ThemePreference;
+use crate::storage;
+use crate::widget::section;
 
 impl Editor {
     /// As the user left it.
     pub(super) fn recall(&mut self, context: &egui::Context) {
-        if let Some(layout) = self.disk.settings().layout.as_ref().and_then(Layout::from_saved) {
-            self.layout = layout;
-        }
-        context.set_theme(match self.disk.settings().theme {
-            ThemeChoice::System => ThemePreference::System,
-            ThemeChoice::Dark => ThemePreference::Dark,
-            ThemeChoice::Light => ThemePreference::Light,
-        });
-        keymap::choose(context, self.disk.settings().keymap);
+        self.recall_layout();
+        section::fold(context, self.disk.settings().folded.clone());
+        self.put_on(context);
     }
 
     /// Whoever changed it, it is noticed here.
     pub(super) fn remember_look(&mut self, context: &egui::Context) {
-        let theme = match context.options(|options| options.theme_preference) {
-            ThemePreference::System => ThemeChoice::System,
-            ThemePreference::Dark => ThemeChoice::Dark,
-            ThemePreference::Light => ThemeChoice::Light,
-        };
-        if theme != self.disk.settings().theme {
-            self.disk.remember(move |settings| settings.theme = theme);
+        self.remember_scale(context);
+        let folded = section::folded(context);
+        if folded != self.disk.settings().folded {
+            self.disk.remember(move |settings| settings.folded.clone_from(&folded));
         }
         let at_rest = !context.input(|input| input.pointer.any_down());
         if at_rest && self.layout.take_changed() {
@@ -45,19 +34,6 @@ impl Editor {
             }
             self.disk.window_size = size;
         }
-    }
-
-    /// From metric units to those of aviation and back.
-    pub(super) fn switch_units(&mut self) {
-        let units = self.disk.settings().units.other();
-        self.disk.remember(move |settings| settings.units = units);
-    }
-
-    /// From the editor's own keys to Blender's and back.
-    pub(super) fn switch_keymap(&mut self, context: &egui::Context) {
-        let keymap = self.disk.settings().keymap.other();
-        self.disk.remember(move |settings| settings.keymap = keymap);
-        keymap::choose(context, keymap);
     }
 
     /// Shows the last scenes, when it is known which are still there.

@@ -6,17 +6,22 @@
 use crate::theme::{self, icon};
 use crate::visible;
 use egui::{Align2, Area, Context, Frame, Id, Order, Rect, RichText, ScrollArea, vec2};
+use std::collections::VecDeque;
 
 /// How long a message about something done stays, seconds.
 const STAY_S: f64 = 5.0;
 /// Older ones go when there are more.
 const MOST: usize = 4;
+/// So many are kept for a report.
+const MOST_KEPT: usize = 50;
 
 /// The messages on the screen, oldest first.
 #[derive(Debug, Default)]
 pub(super) struct Toasts {
     shown: Vec<Toast>,
     next: u64,
+    /// What was said, also what is no longer shown.
+    said: VecDeque<String>,
 }
 
 #[derive(Debug)]
@@ -33,10 +38,17 @@ impl Toasts {
     pub(super) fn say(&mut self, text: &str, is_error: bool) {
         let text = visible::lines(text);
         self.shown.retain(|toast| toast.text != text);
+        self.said.push_back(if is_error { format!("trouble: {text}") } else { text.clone() });
+        self.said.drain(..self.said.len().saturating_sub(MOST_KEPT));
         self.next += 1;
         self.shown.push(Toast { number: self.next, text, is_error, ends_s: None });
         let too_many = self.shown.len().saturating_sub(MOST);
         self.shown.drain(..too_many);
+    }
+
+    /// The last messages, oldest first.
+    pub(super) fn said(&self) -> impl Iterator<Item = &str> {
+        self.said.iter().map(String::as_str)
     }
 
     /// Takes complaints away: something else went well since.

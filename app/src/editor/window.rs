@@ -18,14 +18,17 @@ const MIN_SIZE: [f32; 2] = [800.0, 500.0];
 /// No screen is wider or higher, points.
 const MAX_SIZE: f32 = 8192.0;
 
-/// Opens the editor's window and stays until it is closed.
+/// Opens the editor's window, drawn as the user prefers unless a `renderer` is asked for, and stays until it is closed.
 ///
 /// # Errors
 /// If there is no display, or no adapter that can draw in a window.
-pub fn open_window(scene: Option<&Path>, renderer: RendererChoice) -> Result<(), eframe::Error> {
+pub fn open_window(scene: Option<&Path>, renderer: Option<RendererChoice>) -> Result<(), eframe::Error> {
     let folders = Folders::of_user();
     // Settings that can't be understood are told about in the window.
-    let size = folders.as_ref().and_then(|folders| Settings::load(folders).0.window_size).unwrap_or(DEFAULT_SIZE);
+    let settings = folders.as_ref().map(|folders| Settings::load(folders).0).unwrap_or_default();
+    let size = settings.window_size.unwrap_or(DEFAULT_SIZE);
+    let renderer = renderer.unwrap_or(settings.renderer);
+    let start_page = scene.is_none() && settings.start_page;
     let options = eframe::NativeOptions {
         viewport: egui::ViewportBuilder::default()
             .with_title("Cloudwright")
@@ -46,7 +49,7 @@ pub fn open_window(scene: Option<&Path>, renderer: RendererChoice) -> Result<(),
         Box::new(move |creation| {
             let device = creation.wgpu_render_state.clone();
             let has_folders = folders.is_some();
-            let start = Start { scene, renderer, device, file_dialogs: Box::new(NativeDialogs), folders };
+            let start = Start { scene, start_page, renderer, device, file_dialogs: Box::new(NativeDialogs), folders };
             let mut editor = Editor::new(&creation.egui_ctx, start);
             if !has_folders {
                 editor.tell_error(unkept("there is no home folder to keep it in"));

@@ -1,6 +1,6 @@
 //! Menus and toolbar: nothing but the command table, and the plugins that there are.
 
-use super::plugin;
+use super::{menu_keys, plugin};
 use crate::command::{Command, Menu, Row, TABLE};
 use crate::plugins::Library;
 use crate::state::Action;
@@ -33,31 +33,49 @@ const BUTTONS: &[&[Command]] = &[
     &[Command::FrameSelection, Command::ShowBoxes, Command::SpriteMarks, Command::GroupView, Command::PlayTime],
 ];
 
-/// The row of menus.
-pub(crate) fn menu_bar(ui: &mut Ui, state: &CommandStates<'_>, library: &Library, actions: &mut Vec<Action>) {
+/// The row of menus, of which `wanted` opens.
+pub(crate) fn menu_bar(
+    ui: &mut Ui,
+    state: &CommandStates<'_>,
+    library: &Library,
+    wanted: Option<Menu>,
+    actions: &mut Vec<Action>,
+) {
+    let mut open = None;
     egui::MenuBar::new().ui(ui, |ui| {
         for menu in Menu::ALL {
-            ui.menu_button(menu.name(), |ui| {
+            let shown = ui.menu_button(menu_keys::name(ui, menu), |ui| {
                 // Long menus in low windows.
                 let room = ui.ctx().content_rect().bottom() - ui.next_widget_position().y - theme::DIALOG_MARGIN;
                 ScrollArea::vertical().max_height(room).min_scrolled_height(room).show(ui, |ui| {
-                    if menu == Menu::Plugins {
-                        plugin::menus(ui, library, actions);
-                        ui.separator();
-                    }
-                    // Who wants to write a plugin looks for the panel here.
-                    let script = (menu == Menu::Plugins).then(|| Command::ScriptPanel.row());
-                    for row in TABLE.iter().filter(|row| row.menu == menu).chain(script) {
-                        let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
-                        if let Some(keys) = row.shortcut_text(ui.ctx()) {
-                            button = button.shortcut_text(keys);
-                        }
-                        offer(ui, row, button, row.name, state, actions);
-                    }
+                    rows(ui, menu, state, library, actions);
                 });
             });
+            if wanted == Some(menu) {
+                menu_keys::open(ui, &shown.response);
+            }
+            if shown.inner.is_some() {
+                open = Some(menu);
+            }
         }
     });
+    menu_keys::keep(ui, open);
+}
+
+fn rows(ui: &mut Ui, menu: Menu, state: &CommandStates<'_>, library: &Library, actions: &mut Vec<Action>) {
+    if menu == Menu::Plugins {
+        plugin::menus(ui, library, actions);
+        ui.separator();
+    }
+    // Who wants to write a plugin looks for the panel here.
+    let script = (menu == Menu::Plugins).then(|| Command::ScriptPanel.row());
+    for row in TABLE.iter().filter(|row| row.menu == menu).chain(script) {
+        let mut button = Button::new((row.icon.unwrap_or(" "), row.name));
+        if let Some(keys) = row.shortcut_text(ui.ctx()) {
+            button = button.shortcut_text(keys);
+        }
+        offer(ui, row, button, row.name, state, actions);
+    }
 }
 
 /// The row of buttons: icons with their names in tooltips.

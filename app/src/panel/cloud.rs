@@ -1,9 +1,9 @@
 //! Placed clouds.
 
 use crate::state::{Action, Item, Reading};
-use crate::widget::{Fields, Kept, kept};
+use crate::widget::{Fields, Kept, kept, section};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{Owner, Property, Value};
+use cloudwright_core::property::{CLOUD_FORMING, CLOUD_LOOK, CLOUD_PLACE, Owner, Property, Value};
 use cloudwright_core::scene::{Cloud, Thing};
 use cloudwright_core::weather::Formed;
 use egui::Ui;
@@ -13,10 +13,15 @@ pub(super) fn fields_of(ui: &mut Ui, clouds: &[&Cloud], reading: &Reading<'_>, a
     let scene = reading.session.scene();
     // A cloud without a seed has its model's.
     let seed = |cloud: &Cloud, _: &Property| scene.model(cloud.model).map(|model| Value::Whole(model.seed));
-    Fields::of(clouds, reading)
-        .inheriting(seed)
-        .owned(clouds.iter().map(|cloud| Owner::Thing(Thing::Cloud(cloud.id))))
-        .show(ui, "Change cloud", actions, Fields::all, |_, cloud| Edit::Cloud(ListEdit::Replace(cloud)));
+    let owners = || clouds.iter().map(|cloud| Owner::Thing(Thing::Cloud(cloud.id)));
+    let parts = [("Place", CLOUD_PLACE), ("Look and wind", CLOUD_LOOK), ("Forming", CLOUD_FORMING)];
+    for (title, rows) in parts {
+        section(ui, title, |ui| {
+            let edit = |_, cloud| Edit::Cloud(ListEdit::Replace(cloud));
+            let show = |fields: &mut Fields<'_, Cloud>, ui: &mut Ui| fields.rows(ui, rows);
+            Fields::of(clouds, reading).inheriting(seed).owned(owners()).show(ui, "Change cloud", actions, show, edit);
+        });
+    }
     let Some(cloud) = clouds.first() else { return };
     let clock_s = reading.clock.time_s();
     if !Formed::at(cloud.formation.as_ref(), clock_s).shows() {

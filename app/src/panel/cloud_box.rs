@@ -4,10 +4,10 @@ use super::shading_groups::group_name;
 use crate::command::Command;
 use crate::state::{Action, Item, Reading};
 use crate::theme;
-use crate::widget::{Fields, Kept, heading, kept, number_field};
+use crate::widget::{Fields, Kept, kept, number_field, section};
 use cloudwright_core::arrange::fill;
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::property::{BOX_SHADING, BOX_SHAPE, Kind, Number, Owner, Property, Value};
+use cloudwright_core::property::{BOX_PLACE, BOX_SHADING, BOX_SPRITES, Kind, Number, Owner, Property, Value};
 use cloudwright_core::scene::{CloudBox, CloudModel, ModelId, Thing};
 use egui::Ui;
 use glam::DVec3;
@@ -47,14 +47,14 @@ pub(super) fn fields_of(
         Kind::Category => Some(Value::Text(model.category.name().into())),
         _ => Some(Value::Whole(each.id.0)),
     };
-    Fields::of(&alone, reading).inheriting(inherited).show(
-        ui,
-        "Change box",
-        actions,
-        |fields, ui| fields.rows(ui, BOX_SHAPE),
-        replace_resized,
-    );
-    fill_fields(ui, boxes, actions);
+    let fields = || Fields::of(&alone, reading).inheriting(inherited);
+    section(ui, "Place and size", |ui| {
+        fields().show(ui, "Change box", actions, |fields, ui| fields.rows(ui, BOX_PLACE), replace_resized);
+    });
+    section(ui, "Sprites", |ui| {
+        fields().show(ui, "Change sprites", actions, |fields, ui| fields.rows(ui, BOX_SPRITES), replace);
+        fill_fields(ui, boxes, actions);
+    });
     let placed = reading.view.selection.cloud(reading.session.scene());
     match placed.and_then(|cloud| reading.session.placed(cloud.id)) {
         Some(cloud) => {
@@ -68,7 +68,13 @@ pub(super) fn fields_of(
     if ui.button("Select its model").clicked() {
         actions.push(Action::select(Item::Model(model.id)));
     }
-    heading(ui, "Shading");
+    section(ui, "Shading", |ui| shading(ui, model, boxes, reading, actions));
+}
+
+/// In which group the boxes' sprites are.
+fn shading(ui: &mut Ui, model: &CloudModel, boxes: &[ModelBox<'_>], reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    let alone: Vec<&CloudBox> = boxes.iter().map(|(_, each)| *each).collect();
+    let replace = |at: usize, each| Edit::Box(boxes[at].0, ListEdit::Replace(each));
     let groups = model.groups.iter().map(|group| (group.id.0, group_name(&group.name, group.id)));
     let owners = boxes.iter().map(|(of, each)| Owner::Thing(Thing::Box(*of, each.id)));
     Fields::of(&alone, reading).owned(owners).with_groups(groups).show(

@@ -110,7 +110,7 @@ mod tests {
 
     #[test]
     fn places_lead_to_things() {
-        let scene = crate::state::starter_scene();
+        let scene = crate::starter::starter_scene();
         let (model, cloud) = (&scene.models[0], scene.clouds[0].id);
         for (place, want) in [
             ("models[0]", Some(Item::Model(model.id))),

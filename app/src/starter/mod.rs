@@ -1,4 +1,8 @@
-//! New things with values to start from: the scene of an empty window, a cloud, a box.
+//! New things with values to start from: the scene of an empty window, skies to begin with, a cloud, a box.
+
+mod template;
+
+pub use template::Template;
 
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
@@ -8,7 +12,7 @@ use cloudwright_core::scene::{
 use glam::DVec3;
 
 /// A new scene with one small cumulus before the camera.
-pub(crate) fn scene() -> Scene {
+pub(crate) fn starter_scene() -> Scene {
     let mut scene = Scene::default();
     let mut model = CloudModel::new(ModelId::new(&mut scene.next_id), "cumulus", Category::CumulusHumilis);
     model.boxes = cumulus(&mut scene.next_id).into();

@@ -231,7 +231,7 @@ impl Clock {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::starter_scene;
+    use crate::starter::starter_scene;
     use cloudwright_core::scene::{Formation, KeyValue, Track, TrackId, TrackKey};
 
     #[test]

@@ -239,7 +239,7 @@ impl ViewState {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::starter_scene;
+    use crate::starter::starter_scene;
 
     #[test]
     fn what_is_hidden_is_not_drawn() {

@@ -5,9 +5,11 @@
 
 use super::{FilmSettings, Folders, PictureSettings, StorageError, read, write_atomic};
 use crate::command::Keymap;
+use crate::renderer::RendererChoice;
 use crate::units::Units;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -29,6 +31,14 @@ pub struct Settings {
     pub units: Units,
     /// Whose keys are used.
     pub keymap: Keymap,
+    /// What draws the viewport, unless the command line says.
+    pub renderer: RendererChoice,
+    /// Whether the start page is shown when the editor starts without a scene.
+    pub start_page: bool,
+    scale: f32,
+    keep_work_every_s: u32,
+    /// The titles of what is folded in panels.
+    pub folded: BTreeSet<String>,
     /// How pictures were last drawn into files.
     pub picture: PictureSettings,
     /// How films were.
@@ -36,6 +46,9 @@ pub struct Settings {
     /// How panels are docked, as the window's layout itself says it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub layout: Option<Value>,
+    /// Layouts that were saved by name, as the window's layout itself says them.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    pub layouts: BTreeMap<String, Value>,
     /// Width and height of the window, points.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub window_size: Option<[f32; 2]>,
@@ -62,15 +75,47 @@ impl Default for Settings {
             theme: ThemeChoice::default(),
             units: Units::default(),
             keymap: Keymap::default(),
+            renderer: RendererChoice::default(),
+            start_page: true,
+            scale: 1.0,
+            keep_work_every_s: 0,
+            folded: BTreeSet::new(),
             picture: PictureSettings::default(),
             film: FilmSettings::default(),
             layout: None,
+            layouts: BTreeMap::new(),
             window_size: None,
         }
     }
 }
 
 impl Settings {
+    /// Of the interface: the smallest and the largest.
+    pub const SCALES: [f32; 2] = [0.5, 3.0];
+    /// The longest that unsaved work may wait until it is kept, seconds.
+    pub const MAX_KEEP_WORK_S: u32 = 600;
+
+    /// How large the interface is, times its usual size.
+    pub fn scale(&self) -> f32 {
+        let [least, most] = Self::SCALES;
+        if self.scale.is_finite() { self.scale.clamp(least, most) } else { 1.0 }
+    }
+
+    /// Chooses another size of the interface.
+    pub fn set_scale(&mut self, scale: f32) {
+        self.scale = scale;
+    }
+
+    /// After how many seconds unsaved work is kept again; 0: after each change.
+    pub fn keep_work_every_s(&self) -> u32 {
+        self.keep_work_every_s.min(Self::MAX_KEEP_WORK_S)
+    }
+
+    /// Chooses another time between two keepings of unsaved work.
+    pub fn set_keep_work_every_s(&mut self, seconds: u32) {
+        self.keep_work_every_s = seconds;
+    }
+
     /// What is remembered in `folders`: defaults if nothing is, and defaults with a notice if it can't be understood.
     pub fn load(folders: &Folders) -> (Self, Option<String>) {
         let path = file(folders);
@@ -107,6 +152,11 @@ impl Settings {
         let text = serde_json::to_string_pretty(&settings)
             .map_err(|error| StorageError::write(&path, &std::io::Error::other(error)))?;
         write_atomic(&path, (text + "\n").as_bytes())
+    }
+
+    /// As its file says it.
+    pub fn to_text(&self) -> String {
+        serde_json::to_string_pretty(self).unwrap_or_default()
     }
 
     /// Scenes that were open, the last one first.

@@ -26,6 +26,20 @@ pub(crate) const DIALOG_WIDTH: f32 = 380.0;
 pub(crate) const WIDE_DIALOG_WIDTH: f32 = 560.0;
 /// Points.
 pub(crate) const DIALOG_LIST_HEIGHT: f32 = 320.0;
+/// Of the start page, if there is room, points.
+pub(crate) const START_WIDTH: f32 = 960.0;
+/// Of a picture on it, points.
+pub(crate) const START_PICTURE: Vec2 = vec2(152.0, 95.0);
+/// Of what is new on it, points.
+pub(crate) const NEWS_WIDTH: f32 = 290.0;
+/// Of what is new on it, points.
+pub(crate) const NEWS_HEIGHT: f32 = 380.0;
+/// Of the manual at first, points.
+pub(crate) const MANUAL_SIZE: Vec2 = vec2(780.0, 560.0);
+/// Of the list of its pages, points.
+pub(crate) const PAGES_WIDTH: f32 = 170.0;
+/// Of what a report tells, points.
+pub(crate) const REPORT_HEIGHT: f32 = 160.0;
 /// Of a progress bar, points.
 pub(crate) const PROGRESS_WIDTH: f32 = 140.0;
 /// Of a field for a number, points.
@@ -156,6 +170,9 @@ pub(crate) const VIEWPORT_TEXT: Color32 = Color32::from_gray(235);
 /// Behind instruments in the viewport, which must be read at a glance before a white cloud too.
 pub(crate) const HUD_SHADE: Color32 = Color32::from_rgba_premultiplied(0, 0, 0, 170);
 
+/// Of the rim of what has the keyboard's focus, points.
+const FOCUS_WIDTH: f32 = 2.0;
+
 const ACCENT_DARK: Color32 = Color32::from_rgb(52, 96, 148);
 const ACCENT_LIGHT: Color32 = Color32::from_rgb(168, 205, 240);
 
@@ -186,11 +203,6 @@ fn install_icons(context: &Context) {
 /// A button's icon.
 pub(crate) fn tool_text(icon: &str) -> RichText {
     RichText::new(icon).size(17.0)
-}
-
-/// From dark to light and back.
-pub(crate) fn switch(context: &Context) {
-    context.set_theme(if context.theme() == Theme::Dark { Theme::Light } else { Theme::Dark });
 }
 
 fn spacing(style: &mut Style) {
@@ -225,6 +237,7 @@ fn dark(visuals: &mut Visuals) {
     visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(50, 54, 62);
     visuals.widgets.inactive.bg_fill = Color32::from_rgb(58, 63, 72);
     visuals.widgets.inactive.fg_stroke.color = Color32::from_gray(210);
+    visuals.widgets.active.bg_stroke = Stroke::new(FOCUS_WIDTH, focus_color(true));
 }
 
 fn light(visuals: &mut Visuals) {
@@ -240,6 +253,7 @@ fn light(visuals: &mut Visuals) {
     visuals.widgets.noninteractive.bg_stroke.color = Color32::from_rgb(214, 217, 222);
     visuals.widgets.inactive.weak_bg_fill = Color32::from_rgb(228, 231, 236);
     visuals.widgets.inactive.bg_fill = Color32::from_rgb(214, 218, 225);
+    visuals.widgets.active.bg_stroke = Stroke::new(FOCUS_WIDTH, focus_color(false));
 }
 
 /// Menus, tools and status.
@@ -320,6 +334,16 @@ pub(crate) fn tag_edge(ui: &Ui) -> Color32 {
 /// Sunrise and sunset, on the panel's ground.
 pub(crate) fn sun_mark(ui: &Ui) -> Color32 {
     if ui.visuals().dark_mode { SUN } else { Color32::from_rgb(176, 116, 0) }
+}
+
+/// Around what the tour is about.
+pub(crate) fn tour(context: &Context) -> Stroke {
+    Stroke::new(3.0, focus_color(context.theme() == Theme::Dark))
+}
+
+/// Around what has the keyboard's focus.
+const fn focus_color(is_dark: bool) -> Color32 {
+    if is_dark { Color32::from_rgb(112, 178, 255) } else { Color32::from_rgb(0, 92, 184) }
 }
 
 /// What is wrong.

@@ -125,7 +125,7 @@ impl Memory {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::starter_scene;
+    use crate::starter::starter_scene;
     use cloudwright_core::method::named;
     use cloudwright_core::scene::{PathId, PathKey};
 

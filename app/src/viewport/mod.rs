@@ -98,6 +98,8 @@ pub(crate) struct Viewport {
     aspect: f32,
     /// What was shown last.
     sight: Option<Sight>,
+    /// The window's own device and its driver, for people.
+    driver: Option<String>,
 }
 
 impl Viewport {
@@ -113,6 +115,7 @@ impl Viewport {
             fly_control: FlyControl::default(),
             on_board: None,
             through: None,
+            driver: device.as_ref().map(driver),
             canvas: Canvas::new(context, choice, device),
             inset: Inset::new(context),
             marks: Marks::default(),
@@ -129,6 +132,11 @@ impl Viewport {
         };
         viewport.see(session);
         viewport
+    }
+
+    /// The window's own device and its driver, if it has one.
+    pub(crate) fn driver(&self) -> Option<&str> {
+        self.driver.as_deref()
     }
 
     /// Width by height of the picture; of a strip, that of a wider one.
@@ -382,4 +390,10 @@ impl Viewport {
             None => {}
         }
     }
+}
+
+fn driver(device: &RenderState) -> String {
+    let about = device.adapter.get_info();
+    let words = [format!("{} ({:?})", about.name, about.backend), about.driver, about.driver_info];
+    words.into_iter().filter(|words| !words.is_empty()).collect::<Vec<_>>().join(", ")
 }

@@ -20,7 +20,7 @@ use crate::state::{Action, Reading};
 use crate::theme;
 use cloudwright_core::document::Edit;
 use cloudwright_core::property::{Choice, Described, Kind, Owner, Property, Row, Value};
-use egui::{Grid, Response, RichText, Ui};
+use egui::{Grid, Response, Ui};
 
 pub(crate) use choice::combo;
 pub(crate) use color::{brightness_field, color_field, color32};
@@ -230,13 +230,6 @@ fn name_with(ui: &mut Ui, label: &str, doc: &str) {
     if !doc.is_empty() {
         name.on_hover_text(doc);
     }
-}
-
-/// A line between groups of rows.
-pub(crate) fn heading(ui: &mut Ui, text: &str) {
-    ui.add_space(theme::GAP);
-    ui.label(RichText::new(text).strong());
-    ui.separator();
 }
 
 /// A button that is painted by hand, for screen readers and tests.

@@ -45,6 +45,7 @@ pub(crate) fn line(ui: &mut Ui, count: &Kept) {
     if groups > 0 {
         text += &format!(", {groups} lump{}", if groups == 1 { "" } else { "s" });
     }
-    ui.add(ProgressBar::new(share).desired_height(crate::theme::THIN_BAR));
+    let bar = ui.add(ProgressBar::new(share).desired_height(crate::theme::THIN_BAR));
+    super::name_it(ui, &bar, "Share of sprites kept");
     ui.weak(text);
 }

@@ -19,8 +19,8 @@ pub fn preset_choice(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'stati
     side_by_side(ui, |ui| {
         let mut chosen = None;
         for preset in Preset::ALL {
-            let texture = thumbnails.texture(Subject::Preset(preset));
-            let response = tile(ui, texture, theme::PRESET_PICTURE, preset.label, None);
+            let texture = thumbnails.texture(&Subject::Preset(preset));
+            let response = picture_button(ui, texture, theme::PRESET_PICTURE, preset.label, None);
             ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(preset.help));
             if response.on_hover_text(preset.help).clicked() {
                 chosen = Some(preset);
@@ -35,9 +35,9 @@ pub fn category_choice(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Option
     side_by_side(ui, |ui| {
         let mut chosen = None;
         for category in Category::ALL {
-            let texture = thumbnails.texture(Subject::Category(category));
+            let texture = thumbnails.texture(&Subject::Category(category));
             let name = category_name(category);
-            let response = tile(ui, texture, theme::CATEGORY_PICTURE, &name, Some(Some(category) == present));
+            let response = picture_button(ui, texture, theme::CATEGORY_PICTURE, &name, Some(Some(category) == present));
             if response.on_hover_text(name).clicked() && Some(category) != present {
                 chosen = Some(category);
             }
@@ -47,7 +47,7 @@ pub fn category_choice(ui: &mut Ui, thumbnails: &mut Thumbnails, present: Option
 }
 
 /// Tiles side by side, as many in a row as there is room for.
-fn side_by_side<T>(ui: &mut Ui, tiles: impl FnOnce(&mut Ui) -> T) -> T {
+pub(crate) fn side_by_side<T>(ui: &mut Ui, tiles: impl FnOnce(&mut Ui) -> T) -> T {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = Vec2::splat(theme::GAP);
         tiles(ui)
@@ -56,7 +56,13 @@ fn side_by_side<T>(ui: &mut Ui, tiles: impl FnOnce(&mut Ui) -> T) -> T {
 }
 
 /// One tile, with a mark if it is `selected`; tiles that can't be have none.
-fn tile(ui: &mut Ui, texture: Option<TextureId>, picture: Vec2, name: &str, selected: Option<bool>) -> Response {
+pub(crate) fn picture_button(
+    ui: &mut Ui,
+    texture: Option<TextureId>,
+    picture: Vec2,
+    name: &str,
+    selected: Option<bool>,
+) -> Response {
     let size = picture + vec2(0.0, ui.text_style_height(&name_style(picture)) + theme::PICTURE_NAME_GAP);
     let (rect, response) = ui.allocate_exact_size(size, Sense::click());
     response.widget_info(|| match selected {

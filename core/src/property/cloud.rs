@@ -54,52 +54,63 @@ macro_rules! formed {
     };
 }
 
+/// What is placed, and where.
+pub const PLACE: &[Row<Cloud>] = &[
+    setting!(name: text("Name", "For people.")),
+    setting!(model: thing("Model", "What is placed.", Kind::Model)),
+    numbers!(position: vector(POSITION).keyed()),
+    numbers!(heading_deg: angle(HEADING_DEG).keyed()),
+    numbers!(scale: number(CLOUD_SCALE).keyed()),
+];
+
+/// What of it the model and the air don't say.
+pub const LOOK: &[Row<Cloud>] = &[
+    numbers!(opacity: number(OPACITY).keyed()),
+    numbers!(growth: number(GROWTH).keyed()),
+    numbers!(wind_share: number(WIND_SHARE).keyed()),
+    numbers!(base_share: number(BASE_SHARE).keyed()),
+    setting!(seed: seed("Seed", "Another number strews this cloud's sprites anew.").or("the model's")),
+];
+
+/// How it forms or dissipates.
+pub const FORMATION: &[Row<Cloud>] = &[
+    Row::of(
+        "formation.change",
+        choice(
+            "Formation",
+            "By the clock in the Flight panel: a cloud forms from its core, and dissolves from its edges.",
+            CHANGES,
+        )
+        .or("always whole"),
+        |cloud| Some(cloud.formation.map_or(Value::None, |formation| Value::Text(name(formation.change).into()))),
+        |cloud, value| {
+            let change = Option::<String>::from_value(value)?.map(|name| change_named(&name));
+            cloud.formation = match change {
+                Some(change) => Some(Formation { change: change?, ..cloud.formation.unwrap_or_default() }),
+                None => None,
+            };
+            Some(())
+        },
+    ),
+    numbers!(formation?.start_s: number(START_S)),
+    numbers!(formation?.core_s: number(CORE_S)),
+    numbers!(formation?.edges_s: number(EDGES_S)),
+    numbers!(formation?.threshold: number(THRESHOLD)),
+    Row::of(
+        "formed",
+        flag("Formed by hand", "How far it has formed is set, or keyed, whatever the formation says."),
+        |cloud| Some(Value::Flag(cloud.formed.is_some())),
+        |cloud, value| {
+            cloud.formed = bool::from_value(value)?.then(|| cloud.formed.unwrap_or_default());
+            Some(())
+        },
+    ),
+    formed!(core: FORMED_CORE),
+    formed!(edges: FORMED_EDGES),
+];
+
 impl Described for Cloud {
-    const TABLES: &'static [&'static [Row<Self>]] = &[&[
-        setting!(name: text("Name", "For people.")),
-        setting!(model: thing("Model", "What is placed.", Kind::Model)),
-        numbers!(position: vector(POSITION).keyed()),
-        numbers!(heading_deg: angle(HEADING_DEG).keyed()),
-        numbers!(scale: number(CLOUD_SCALE).keyed()),
-        numbers!(opacity: number(OPACITY).keyed()),
-        numbers!(growth: number(GROWTH).keyed()),
-        numbers!(wind_share: number(WIND_SHARE).keyed()),
-        numbers!(base_share: number(BASE_SHARE).keyed()),
-        setting!(seed: seed("Seed", "Another number strews this cloud's sprites anew.").or("the model's")),
-        Row::of(
-            "formation.change",
-            choice(
-                "Formation",
-                "By the clock in the Flight panel: a cloud forms from its core, and dissolves from its edges.",
-                CHANGES,
-            )
-            .or("always whole"),
-            |cloud| Some(cloud.formation.map_or(Value::None, |formation| Value::Text(name(formation.change).into()))),
-            |cloud, value| {
-                let change = Option::<String>::from_value(value)?.map(|name| change_named(&name));
-                cloud.formation = match change {
-                    Some(change) => Some(Formation { change: change?, ..cloud.formation.unwrap_or_default() }),
-                    None => None,
-                };
-                Some(())
-            },
-        ),
-        numbers!(formation?.start_s: number(START_S)),
-        numbers!(formation?.core_s: number(CORE_S)),
-        numbers!(formation?.edges_s: number(EDGES_S)),
-        numbers!(formation?.threshold: number(THRESHOLD)),
-        Row::of(
-            "formed",
-            flag("Formed by hand", "How far it has formed is set, or keyed, whatever the formation says."),
-            |cloud| Some(Value::Flag(cloud.formed.is_some())),
-            |cloud, value| {
-                cloud.formed = bool::from_value(value)?.then(|| cloud.formed.unwrap_or_default());
-                Some(())
-            },
-        ),
-        formed!(core: FORMED_CORE),
-        formed!(edges: FORMED_EDGES),
-    ]];
+    const TABLES: &'static [&'static [Row<Self>]] = &[PLACE, LOOK, FORMATION];
 }
 
 const fn name(change: FormationChange) -> &'static str {

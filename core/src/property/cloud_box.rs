@@ -25,14 +25,18 @@ const LUMPS: Number = Number::new(
     "Into how many lumps, along each axis, the box's sprites are split for shading.",
 );
 
-/// Where a box lies, and what it is filled with.
-pub const SHAPE: &[Row<CloudBox>] = &[
+/// Where a box lies, how large it is, and how it is turned.
+pub const PLACE: &[Row<CloudBox>] = &[
     setting!(name: text("Name", "For people.")),
     numbers!(center: vector(POSITION.called("Centre"))),
     numbers!(size: vector(BOX_SIZE)),
     turn::<0>("orientation.heading_deg", HEADING_DEG.called("Turn")),
     turn::<1>("orientation.pitch_deg", PITCH_DEG.called("Tilt")),
     turn::<2>("orientation.roll_deg", ROLL_DEG.called("Bank")),
+];
+
+/// What a box is filled with.
+pub const SPRITES: &[Row<CloudBox>] = &[
     numbers!(sprite_count: integer(SPRITE_COUNT)),
     numbers!(width: range(SPRITE_SIZE.called("Width"))),
     numbers!(height: range(SPRITE_SIZE.called("Height"))),
@@ -52,7 +56,7 @@ const ORIGIN: &[Row<CloudBox>] =
     &[setting!(seed: seed("Seed", "Stands for the cloud's seed, in a box from another cloud.").or("the cloud's"))];
 
 impl Described for CloudBox {
-    const TABLES: &'static [&'static [Row<Self>]] = &[SHAPE, SHADING, Self::LIGHT, ORIGIN];
+    const TABLES: &'static [&'static [Row<Self>]] = &[PLACE, SPRITES, SHADING, Self::LIGHT, ORIGIN];
 
     fn enter_parts(&self, owner: Owner, place: Arguments<'_>, visitor: &mut impl Visitor) {
         let Owner::Thing(Thing::Box(model, id)) = owner else { return };

@@ -28,7 +28,8 @@ mod walk;
 mod weather;
 
 pub use address::{Address, NoSuchProperty, Table, tables};
-pub use cloud_box::{SHADING as BOX_SHADING, SHAPE as BOX_SHAPE};
+pub use cloud::{FORMATION as CLOUD_FORMING, LOOK as CLOUD_LOOK, PLACE as CLOUD_PLACE};
+pub use cloud_box::{PLACE as BOX_PLACE, SHADING as BOX_SHADING, SPRITES as BOX_SPRITES};
 pub(crate) use described::enter;
 pub use described::{Described, Visitor};
 pub use light::HasLight;

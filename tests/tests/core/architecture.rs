@@ -85,12 +85,23 @@ const APP: [&[&str]; 13] = [
     &["state"],
     &["exchange"],
     &["reports"],
-    &["rendering"],
+    &["rendering", "thumbnail"],
     &["saving"],
     &["opening", "plugins", "signals"],
-    &["chart", "storage", "thumbnail"],
+    &["chart", "manual", "storage"],
     &["command"],
-    &["picture_hdr", "picture_kind", "picture_png", "renderer", "scripting", "theme", "units", "visible", "worker"],
+    &[
+        "picture_hdr",
+        "picture_kind",
+        "picture_png",
+        "renderer",
+        "scripting",
+        "starter",
+        "theme",
+        "units",
+        "visible",
+        "worker",
+    ],
 ];
 
 /// The rooms of core from above, in the same way.

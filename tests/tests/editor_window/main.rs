@@ -5,6 +5,7 @@
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
 mod arranging;
+mod by_keyboard;
 mod chart_panel;
 mod clock;
 mod colors;
@@ -18,6 +19,8 @@ mod flight_panel;
 mod flying;
 mod grabbing;
 mod groups;
+mod help;
+mod layouts;
 mod many_tracks;
 mod off_frame;
 mod on_disk;
@@ -26,12 +29,15 @@ mod picture_choice;
 mod picturing;
 mod plugin_fields;
 mod plugins;
+mod preferences;
 mod recovery;
 mod remembering;
 mod renaming;
 mod script_panel;
+mod sections;
 mod seeing;
 mod several;
+mod start_page;
 mod thinning;
 mod timeline;
 mod tools;
@@ -77,7 +83,14 @@ impl FileDialogs for Script {
 fn start(dialogs: Script, folders: Option<Folders>) -> Start {
     // This program has no such subcommand.
     scripting::use_host(Host::at(env!("CARGO_BIN_EXE_script_host")));
-    Start { scene: None, renderer: RendererChoice::Cpu, device: None, file_dialogs: Box::new(dialogs), folders }
+    Start {
+        scene: None,
+        start_page: false,
+        renderer: RendererChoice::Cpu,
+        device: None,
+        file_dialogs: Box::new(dialogs),
+        folders,
+    }
 }
 
 /// An editor under test.
@@ -191,6 +204,14 @@ impl Window {
     /// The scene as its file.
     fn file(&self) -> String {
         scene_file::write(self.scene()).expect("it can be written")
+    }
+
+    /// Types into a field.
+    fn type_into(&mut self, role: Role, label: &str, text: &str) {
+        self.node(role, label).focus();
+        self.settle();
+        self.node(role, label).type_text(text);
+        self.settle();
     }
 
     fn keys(&mut self, modifiers: Modifiers, key: Key) {

@@ -81,9 +81,9 @@ fn a_picture_wakes_the_window_when_it_is_there() {
     let mut thumbnails = Thumbnails::new(&context);
     assert!(woken.try_recv().is_err(), "no work before a picture is asked for");
     let subject = Subject::Preset(&Preset::ALL[0]);
-    assert_eq!(thumbnails.texture(subject), None);
+    assert_eq!(thumbnails.texture(&subject), None);
     woken.recv_timeout(Duration::from_secs(60)).expect("a picture");
-    let texture = thumbnails.texture(subject).expect("drawn");
-    assert_eq!(thumbnails.texture(subject), Some(texture), "kept for the session");
+    let texture = thumbnails.texture(&subject).expect("drawn");
+    assert_eq!(thumbnails.texture(&subject), Some(texture), "kept for the session");
     assert!(woken.try_recv().is_err(), "drawn once");
 }

@@ -53,12 +53,13 @@ impl Walk {
             Command::PlaceMany,
             Command::WeatherReport,
             Command::Palette,
+            Command::Preferences,
             Command::PlayTime,
             Command::SwitchTheme,
         ];
         let able: Vec<Command> = TABLE
             .iter()
-            .filter(|row| row.menu != Menu::File && row.menu != Menu::Window && !asks.contains(&row.command))
+            .filter(|row| ![Menu::File, Menu::Window, Menu::Help].contains(&row.menu) && !asks.contains(&row.command))
             .map(|row| row.command)
             .filter(|command| self.window.harness.state().can(*command))
             .collect();

@@ -3,22 +3,28 @@
 //! The one that came last is on top and is answered first. Each file shows one kind and returns the answer; what
 //! follows from it stands here.
 
+mod about;
+mod layouts;
 mod path;
+mod preferences;
 mod preset;
 mod question;
 mod recent;
 mod recovery;
+mod report;
 mod trouble;
 
 use super::Editor;
 use super::files::Ask;
 use super::intent::{Intent, Then};
+use super::report::Report;
 use crate::storage::{Orphan, Over};
 use crate::theme;
 use crate::visible;
 use crate::widget::fitted;
 use cloudwright_core::problem::Problem;
 use egui::{Align2, Id, Modal, Ui};
+use layouts::Choice;
 use question::Question;
 use recovery::Fate;
 use std::mem::discriminant;
@@ -44,6 +50,18 @@ pub(super) enum Dialog {
     Recovery(Vec<Orphan>),
     /// Ready-made clouds to choose from.
     Preset,
+    /// Recent scenes, and skies to begin with.
+    StartPage(Vec<PathBuf>),
+    /// What the user prefers.
+    Preferences,
+    /// The name for a layout of the panels.
+    LayoutName(String),
+    /// Layouts to choose from.
+    Layouts,
+    /// What is told of a problem.
+    Report(Report),
+    /// What this is.
+    About,
     /// A path to be typed.
     Path { ask: Ask, text: String },
     /// Something went wrong.
@@ -64,6 +82,18 @@ impl Dialogs {
         let is_trouble = matches!(dialog, Dialog::Trouble(_));
         self.0.retain(|old| is_trouble || discriminant(old) != discriminant(&dialog));
         self.0.push(dialog);
+    }
+
+    /// Those are the recent scenes, if the start page is still there to show them.
+    pub(super) fn tell_recent(&mut self, scenes: Vec<PathBuf>) {
+        if let Some(Dialog::StartPage(recent)) = self.0.iter_mut().find(|each| matches!(each, Dialog::StartPage(_))) {
+            *recent = scenes;
+        }
+    }
+
+    /// Who goes on without it needs no answer.
+    pub(super) fn leave_start_page(&mut self) {
+        self.0.retain(|each| !matches!(each, Dialog::StartPage(_)));
     }
 
     /// Lists what is wrong with a file, if anything is.
@@ -91,7 +121,8 @@ impl Dialogs {
             | Ask::Leave(path)
             | Ask::Picture(path)
             | Ask::Video(path)
-            | Ask::SaveScript(path) => path.display().to_string(),
+            | Ask::SaveScript(path)
+            | Ask::Report(path) => path.display().to_string(),
             Ask::Frames(scene) => scene.with_file_name("frames").display().to_string(),
             Ask::Model(_, scene) => scene.with_file_name("model.glb").display().to_string(),
         };
@@ -168,6 +199,34 @@ impl Editor {
                     self.add_preset(preset);
                 }
             }
+            Dialog::StartPage(recent) => self.answer_start_page(recent, context)?,
+            Dialog::Preferences => {
+                if let Some(preference) = preferences::choose(context, self.disk.settings())? {
+                    self.prefer(preference, context);
+                    return None;
+                }
+            }
+            Dialog::LayoutName(name) => {
+                if let Some(name) = layouts::name(context, name)? {
+                    self.save_layout(&name);
+                }
+            }
+            Dialog::Layouts => match layouts::choose(context, self.disk.settings().layouts.keys())? {
+                Choice::Use(name) => self.use_layout(&name),
+                Choice::Delete(name) => {
+                    self.delete_layout(&name);
+                    return None;
+                }
+                Choice::Close => {}
+            },
+            Dialog::Report(report) => {
+                let facts = self.report_facts();
+                match report::ask(context, &mut report.said, &mut report.with_scene, &facts)? {
+                    report::Answer::Save => self.save_report(report, context),
+                    report::Answer::Close => {}
+                }
+            }
+            Dialog::About => about::show(context, &self.facts())?,
             Dialog::Path { ask, text } => match path::ask(context, ask, text)? {
                 Some(path) => self.use_path(&ask.clone(), path, false, context),
                 None => self.give_up_what_follows(),

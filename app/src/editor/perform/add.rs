@@ -2,7 +2,8 @@
 
 use crate::command::Command;
 use crate::editor::Editor;
-use crate::state::{Item, Selection, box_of, starter};
+use crate::starter;
+use crate::state::{Item, Selection, box_of};
 use cloudwright_core::arrange::Names;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::preset::Preset;

@@ -12,7 +12,8 @@ use super::dialogs::Dialog;
 use super::intent::Intent;
 use super::{Ask, Editor};
 use crate::command::{Command, Keymap};
-use crate::panel::Panel;
+use crate::manual;
+use crate::panel::{Manual, Panel};
 use crate::state::{Action, Item, Selection, SpriteMarks, TimeSnap, Tool};
 use crate::viewport::Grabbed;
 use cloudwright_core::arrange::mirror::Axis;
@@ -102,6 +103,7 @@ impl Editor {
         match command {
             Command::RunAgain => self.plugins.can_run_again(),
             Command::OpenPluginFolder => self.disk.folders().is_some(),
+            Command::Layouts => !self.disk.settings().layouts.is_empty(),
             Command::OpenRecent => !self.disk.settings().recent().is_empty(),
             Command::Revert => self.session.path().is_some() && document.is_modified(),
             Command::Undo => document.undo_name().is_some() || document.is_open(),
@@ -255,8 +257,8 @@ impl Editor {
             Command::GroupView => self.view.group_view ^= true,
             Command::Haze => self.view.haze ^= true,
             Command::CameraPicture => self.view.camera_picture ^= true,
-            Command::SwitchTheme => crate::theme::switch(context),
-            Command::SwitchUnits => self.switch_units(),
+            Command::SwitchTheme => self.switch_theme(context),
+            Command::SwitchUnits => self.switch_units(context),
             Command::SwitchKeymap => self.switch_keymap(context),
             Command::Palette => self.palette = Some(Default::default()),
             Command::SelectTool => self.view.tool = Tool::Select,
@@ -335,6 +337,15 @@ impl Editor {
             Command::HistoryPanel => self.layout.bring_up(Panel::History),
             Command::ProblemsPanel => self.layout.bring_up(Panel::Problems),
             Command::ResetLayout => self.layout.reset(),
+            Command::SaveLayout => self.ask_layout_name(),
+            Command::Layouts => self.list_layouts(),
+            Command::Preferences => self.dialogs.open(Dialog::Preferences),
+            Command::StartPage => self.show_start_page(),
+            Command::Manual => self.manual = Some(Manual::at(manual::FIRST)),
+            Command::WhatsNew => self.manual = Some(Manual::at(manual::NEWS)),
+            Command::Tour => self.begin_tour(),
+            Command::ReportProblem => self.ask_report(),
+            Command::About => self.dialogs.open(Dialog::About),
         }
     }
 

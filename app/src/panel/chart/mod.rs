@@ -10,7 +10,7 @@ use crate::chart::front;
 use crate::chart::text::figure;
 use crate::state::{Action, ChartChange, Reading, WIDTHS_PX};
 use crate::theme;
-use crate::widget::{heading, name_it, number_field};
+use crate::widget::{name_it, number_field, section};
 use cloudwright_core::property::Number;
 use egui::{ComboBox, ProgressBar, ScrollArea, Ui};
 
@@ -50,11 +50,9 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
             }
             None => {}
         }
-        heading(ui, "In the viewport");
-        lens::show(ui, reading, actions);
+        section(ui, "In the viewport", |ui| lens::show(ui, reading, actions));
         if let Some(report) = charting.report() {
-            heading(ui, "Methods");
-            table::show(ui, report, reading, actions);
+            section(ui, "Methods", |ui| table::show(ui, report, reading, actions));
         }
     });
 }

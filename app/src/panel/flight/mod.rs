@@ -7,7 +7,7 @@ mod transport;
 use crate::command::Command;
 use crate::state::{Action, Item, Reading, ViewChange};
 use crate::theme::icon;
-use crate::widget::{heading, name_it};
+use crate::widget::{name_it, section};
 use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::flight::PathCurve;
 use cloudwright_core::scene::CameraPath;
@@ -17,26 +17,29 @@ use glam::DVec3;
 /// Of a path's length, pieces that it is measured in.
 const PIECES: u32 = 512;
 
+const NO_PATHS: &str =
+    "No paths yet. Move the view to where a flight is to begin, and add a path; or record one by flying.";
+
 /// The panel.
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
         let scene = reading.session.scene();
         transport::show(ui, reading, actions);
-        heading(ui, "Path");
         let path = reading.clock.path(scene);
-        choose(ui, path, reading, actions);
-        let Some(path) = path else {
-            ui.weak(
-                "No paths yet. Move the view to where a flight is to begin, and add a path; or record one by flying.",
-            );
-            return;
-        };
-        ui.weak(extent(path, reading));
-        keys::show(ui, path, reading, actions);
-        heading(ui, "Aircraft");
-        traffic::show(ui, path, reading, actions);
-        heading(ui, "View");
-        sorting(ui, reading, actions);
+        section(ui, "Path", |ui| {
+            choose(ui, path, reading, actions);
+            match path {
+                Some(path) => {
+                    ui.weak(extent(path, reading));
+                    keys::show(ui, path, reading, actions);
+                }
+                None => drop(ui.weak(NO_PATHS)),
+            }
+        });
+        if let Some(path) = path {
+            section(ui, "Aircraft", |ui| traffic::show(ui, path, reading, actions));
+            section(ui, "View", |ui| sorting(ui, reading, actions));
+        }
     });
 }
 

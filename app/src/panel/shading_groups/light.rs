@@ -5,7 +5,7 @@
 
 use super::curve::{self, Shares};
 use crate::state::{Action, Item, Reading, box_of, group_of};
-use crate::widget::{Fields, heading};
+use crate::widget::{Fields, section, section_called};
 use cloudwright_core::arrange::ModelSpace;
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::{self, GROUP_NAME, HasLight, Value};
@@ -79,8 +79,7 @@ impl Lit {
 pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let lights = chosen(reading);
     let Some(first) = lights.first() else {
-        heading(ui, "Light");
-        ui.weak("Select a group, a box or a sprite to shape how it takes the sun.");
+        section(ui, "Light", |ui| drop(ui.weak("Select a group, a box or a sprite to shape how it takes the sun.")));
         return;
     };
     let title = match &first.owner {
@@ -100,29 +99,31 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
         Owner::Box(each) => each.id.0,
     });
     let more = if lights.len() > 1 { format!(" and {} more", lights.len() - 1) } else { String::new() };
-    heading(ui, &format!("Light of {title}{more}"));
-    ui.push_id(("light", model.id), |ui| {
-        if let Some((at, share)) = curve::show(ui, &before, tint)
-            && let Some(row) = curve::row(at)
-        {
-            let live = ui.input(|input| input.pointer.any_down());
-            owned().set_number((row, share), "Shape light", live, actions, |_, lit| lit.edit());
-        }
-        if let [Lit { model, owner: Owner::Group(group), .. }] = lights.as_slice() {
-            let edit = |_, group| Edit::Group(*model, ListEdit::Replace(group));
-            let name = |fields: &mut Fields<'_, ShadingGroup>, ui: &mut Ui| {
-                GROUP_NAME.iter().for_each(|row| fields.row(ui, row, "Group name"));
-            };
-            Fields::of(&[group], reading).show(ui, "Rename shading group", actions, name, edit);
-        }
-        // A centre put by hand begins where it lies.
-        let edit = |at: usize, mut lit: Lit| {
-            if lit.is_by_hand() && !all[at].is_by_hand() {
-                lit.light_mut().center = GroupCenter::At(lit.center);
+    let shown = format!("Light of {title}{more}");
+    section_called(ui, "Light", &shown, |ui| {
+        drop(ui.push_id(("light", model.id), |ui| {
+            if let Some((at, share)) = curve::show(ui, &before, tint)
+                && let Some(row) = curve::row(at)
+            {
+                let live = ui.input(|input| input.pointer.any_down());
+                owned().set_number((row, share), "Shape light", live, actions, |_, lit| lit.edit());
             }
-            lit.edit()
-        };
-        owned().show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, Lit::LIGHT), edit);
+            if let [Lit { model, owner: Owner::Group(group), .. }] = lights.as_slice() {
+                let edit = |_, group| Edit::Group(*model, ListEdit::Replace(group));
+                let name = |fields: &mut Fields<'_, ShadingGroup>, ui: &mut Ui| {
+                    GROUP_NAME.iter().for_each(|row| fields.row(ui, row, "Group name"));
+                };
+                Fields::of(&[group], reading).show(ui, "Rename shading group", actions, name, edit);
+            }
+            // A centre put by hand begins where it lies.
+            let edit = |at: usize, mut lit: Lit| {
+                if lit.is_by_hand() && !all[at].is_by_hand() {
+                    lit.light_mut().center = GroupCenter::At(lit.center);
+                }
+                lit.edit()
+            };
+            owned().show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, Lit::LIGHT), edit);
+        }))
     });
 }
 

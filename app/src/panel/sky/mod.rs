@@ -9,7 +9,7 @@ mod sun_path;
 use crate::command::Command;
 use crate::state::{Action, Reading, ViewChange};
 use crate::theme::{self, icon};
-use crate::widget::{Fields, heading, name_it, number_field};
+use crate::widget::{Fields, name_it, number_field, section};
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::document::Edit;
 use cloudwright_core::math::clock;
@@ -39,18 +39,17 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
         let scene = reading.session.scene();
         let path = SunPath::of(ui.ctx(), scene.sun, &scene.site);
         time(ui, reading, actions);
-        light(ui, reading, &path, actions);
-        heading(ui, "Sun");
-        ui.horizontal_top(|ui| {
-            if let Some(sun) = dome::show(ui, scene.sun, &scene.site, reading.time_h(), &path) {
-                actions.push(Action::change("Sun", Edit::Sun(sun), ui.input(|input| input.pointer.any_down())));
-            }
-            ui.vertical(|ui| sun(ui, reading, actions));
+        section(ui, "Light over the day", |ui| light(ui, reading, &path, actions));
+        section(ui, "Sun", |ui| {
+            ui.horizontal_top(|ui| {
+                if let Some(sun) = dome::show(ui, scene.sun, &scene.site, reading.time_h(), &path) {
+                    actions.push(Action::change("Sun", Edit::Sun(sun), ui.input(|input| input.pointer.any_down())));
+                }
+                ui.vertical(|ui| sun(ui, reading, actions));
+            });
         });
-        heading(ui, "Air and exposure");
-        air(ui, reading, actions);
-        heading(ui, "Weather");
-        weather(ui, reading, actions);
+        section(ui, "Air and exposure", |ui| air(ui, reading, actions));
+        section(ui, "Weather", |ui| weather(ui, reading, actions));
     });
 }
 
@@ -115,7 +114,6 @@ fn time_slider(ui: &mut Ui, hour: &mut f64) -> bool {
 
 /// The two tables over the day.
 fn light(ui: &mut Ui, reading: &Reading<'_>, path: &SunPath, actions: &mut Vec<Action>) {
-    heading(ui, "Light over the day");
     let sky = &reading.session.scene().sky;
     let hour = reading.time_h();
     let directional = with_alpha(&sky.directional);

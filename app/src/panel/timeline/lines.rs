@@ -120,7 +120,7 @@ fn name_of(scene: &Scene, owner: Owner) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::starter_scene;
+    use crate::starter::starter_scene;
     use cloudwright_core::scene::{KeyValue, TrackKey};
 
     #[test]

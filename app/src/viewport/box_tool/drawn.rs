@@ -167,7 +167,7 @@ fn filled(id: BoxId, center: DVec3, size_m: DVec3, scale: f64) -> CloudBox {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::state::starter_scene;
+    use crate::starter::starter_scene;
     use cloudwright_core::document::Document;
 
     fn cloud_of(document: &Document) -> Cloud {

@@ -1,5 +1,5 @@
 //! The diamond beside a value that can be keyed: empty where nothing is keyed, half full where its track has no key at the
-//! clock's time, full where it has one, and of another tint where a hand has changed the value since.
+//! clock's time, full where it has one, and with a dot in it and of another tint where a hand has changed the value since.
 //!
 //! A click keys the value of all selected things, or takes their keys out; the other button opens what else there is.
 
@@ -16,6 +16,8 @@ use std::collections::BTreeSet;
 pub(super) const WIDTH: f32 = 17.0;
 /// From its middle to a corner, points.
 const RADIUS: f32 = 4.5;
+/// Of the dot in the diamond of a value that was changed since, points.
+const DOT: f32 = 1.7;
 
 /// The button. What a click on it asks for.
 pub(crate) fn key_button(ui: &mut Ui, label: &str, values: &Values, reading: &Reading<'_>) -> Option<Action> {
@@ -109,6 +111,10 @@ fn paint(ui: &Ui, middle: Pos2, keyed: Keyed, lit: bool) {
         Keyed::Here | Keyed::Changed => {
             painter.add(Shape::convex_polygon(at(&corners), color, Stroke::NONE));
         }
+    }
+    if keyed == Keyed::Changed {
+        // The tint alone would not tell it from one that is keyed here.
+        painter.circle_filled(middle, DOT, ui.visuals().panel_fill);
     }
     let stroke = Stroke::new(if lit { 1.8 } else { 1.2 }, color);
     painter.add(Shape::closed_line(at(&corners), stroke));
