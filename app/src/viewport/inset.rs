@@ -31,6 +31,10 @@ const RATE_S: f64 = 0.5;
 const SHARE: f32 = 0.28;
 /// Of a picture's longer side, points: no smaller one is shown, and no larger.
 const SIDE: [f32; 2] = [90.0, 360.0];
+/// In a viewport less wide it stands above the line of hints, points.
+const WIDE: f32 = 760.0;
+/// Of that line, points.
+const HINTS: f32 = 26.0;
 /// Samples along a pixel's side.
 const SAMPLES_SIDE: u32 = 2;
 
@@ -165,6 +169,7 @@ fn place(rect: Rect, raised: f32, size: [u32; 2]) -> Option<Rect> {
     let longest = width.max(height);
     let scale = (room.x.max(SIDE[0]) / width).min(room.y.max(SIDE[0]) / height).min(SIDE[1] / longest);
     let size = vec2(width, height) * scale;
+    let raised = if rect.width() < WIDE { raised + HINTS } else { raised };
     let corner = rect.right_bottom() - Vec2::splat(theme::VIEWPORT_MARGIN) - vec2(0.0, raised);
     let has_room = rect.width() > 3.0 * SIDE[0] && rect.height() > 3.0 * SIDE[0] && size.min_elem() >= 8.0;
     has_room.then(|| Rect::from_min_max(corner - size, corner))

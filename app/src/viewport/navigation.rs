@@ -232,7 +232,7 @@ mod tests {
     fn an_orthographic_view_is_moved_as_any_other() {
         let mut camera = Camera::free(DVec3::new(3e5, 1500.0, 2e5));
         (camera.heading_deg, camera.pitch_deg) = (40.0, -20.0);
-        let mut navigation = Navigation::new(camera.clone(), 900.0);
+        let mut navigation = Navigation::new(camera, 900.0);
         navigation.set_orthographic(true);
         let pivot = navigation.pivot();
         let shown = |navigation: &Navigation, place: DVec3| {
