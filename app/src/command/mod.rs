@@ -3,12 +3,13 @@
 //! Menus, toolbar, palette, tooltips and README's manual read it. A new command is a row here and an arm in
 //! editor/perform.
 
+pub(crate) mod context;
 pub(crate) mod keymap;
 mod keys;
 pub mod manual;
 
 pub use keymap::Keymap;
-pub(crate) use keys::{delete_belongs_to, give_keys_to_timeline, pressed};
+pub(crate) use keys::{Pasted, delete_belongs_to, give_keys_to_timeline, pasted, pressed};
 
 use crate::theme::icon;
 use egui::{Key, KeyboardShortcut, Modifiers};
@@ -167,6 +168,7 @@ commands! {
         Save: "Save", "Save the scene.", ctrl(Key::S), Some(icon::FLOPPY_DISK);
         SaveAs: "Save as…", "Save the scene under another name.", ctrl_shift(Key::S), None;
         Revert: "Revert…", "Go back to the scene as it was last saved.", NONE, None;
+        Append: "Append from scene…", "Add clouds of another scene with their models.", NONE, None;
         Import: "Import…", "Bring in what another program made: clouds, weather, or a whole scene.", ctrl(Key::I), None;
         Export: "Export…", "Write the scene for another program: glTF, clouds of flight simulators, weather presets, tables.", ctrl(Key::E), None;
         RenderPicture: "Render picture…", "Draw the scene into a picture file: PNG, OpenEXR or Radiance HDR.", key(Key::F12), None;
@@ -178,6 +180,9 @@ commands! {
         Redo: "Redo", "Bring an undone change again.", ctrl_shift(Key::Z), Some(icon::ARROW_U_UP_RIGHT);
         SelectAll: "Select all", "Select all clouds, or all boxes of the selected box's model.", ctrl(Key::A), Some(icon::SELECTION_ALL);
         SelectNone: "Select nothing", "Clear the selection.", alt(Key::A), None;
+        Cut: "Cut", "Put the selection onto the clipboard, and take it out of the scene.", ctrl(Key::X), None;
+        Copy: "Copy", "Put the selection onto the clipboard, for this scene or another one.", ctrl(Key::C), None;
+        Paste: "Paste", "Add what was copied: clouds with their models, models, paths, cameras; boxes to the selected model.", ctrl(Key::V), None;
         Duplicate: "Duplicate linked", "Add another one like the selection; clouds share the model.", ctrl(Key::D), Some(icon::COPY_SIMPLE);
         DuplicateOwn: "Duplicate with own model", "Add another cloud with a model of its own.", ctrl_shift(Key::D), Some(icon::COPY);
         MakeOwn: "Make model own", "Give the selected cloud a model that no other cloud shares.", NONE, Some(icon::LINK_BREAK);
@@ -189,6 +194,8 @@ commands! {
         Reroll: "Re-roll", "Strew the selected cloud's or model's sprites anew, with another seed.", key(Key::K), Some(icon::DICE_FIVE);
         FitSprites: "Fit sprites to box", "Give the selected boxes as many and as large sprites as fill them.", NONE, None;
         ResetSprites: "Reset sprites", "Take back what was changed by hand about the selected sprites or boxes.", NONE, None;
+        Rename: "Rename…", "Give the selection another name; of many, names with a running number.", key(Key::F2), None;
+        RemoveUnusedModels: "Remove unused models", "Take out the models that no cloud places.", NONE, None;
         CopyPicture: "Copy picture", "Put what the view shows onto the clipboard, as an image.", NONE, None;
         Preferences: "Preferences…", "Look, units, keys and the like, all in one place.", ctrl(Key::Comma), None;
         Delete: "Delete", "Take the selection out of the scene.", key(Key::Delete), Some(icon::TRASH);
@@ -273,7 +280,8 @@ commands! {
         SnapKeys: "Snap keys", "Let dragged keys snap to frames, to whole seconds, or to nothing: each time the next of the three.", NONE, Some(icon::MAGNET);
         AddKeys: "Add keys", "Add a key at the clock's time to the chosen tracks, or to all.", shift(Key::K), Some(icon::PLUS);
         DeleteKeys: "Delete keys", "Take the chosen keys out: over the timeline, the Delete key.", NONE, Some(icon::TRASH);
-        CopyKeys: "Copy keys", "Keep the chosen keys for pasting: over the timeline, Ctrl+C.", NONE, Some(icon::COPY);
+        CutKeys: "Cut keys", "Put the chosen keys onto the clipboard, and take them out: over the timeline, Ctrl+X.", NONE, None;
+        CopyKeys: "Copy keys", "Put the chosen keys onto the clipboard: over the timeline, Ctrl+C.", NONE, Some(icon::COPY);
         PasteKeys: "Paste keys", "Put the copied keys at the clock's time: over the timeline, Ctrl+V.", NONE, None;
         DuplicateKeys: "Duplicate keys", "Copy the chosen keys to a second behind them: over the timeline, Ctrl+D.", NONE, Some(icon::COPY_SIMPLE);
         SelectAllKeys: "Select all keys", "Choose all keys of the chosen tracks, or of all: over the timeline, Ctrl+A.", NONE, None;
@@ -333,6 +341,9 @@ impl Command {
     pub(crate) fn in_timeline(self) -> Self {
         match self {
             Self::Delete => Self::DeleteKeys,
+            Self::Cut => Self::CutKeys,
+            Self::Copy => Self::CopyKeys,
+            Self::Paste => Self::PasteKeys,
             Self::Duplicate => Self::DuplicateKeys,
             Self::SelectAll => Self::SelectAllKeys,
             Self::SelectNone => Self::SelectNoKeys,

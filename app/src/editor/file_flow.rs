@@ -147,6 +147,7 @@ impl Editor {
             Ask::Frames(_) => self.film_to(&path, true, context),
             Ask::Arrive(_) => self.ask_arriving(&path),
             Ask::Report(_) => self.report_to(&path, asked_already),
+            Ask::Append(_) => self.ask_appending(&path),
             Ask::Model(item, _) => self.use_model(*item, &path),
         }
     }

@@ -33,6 +33,8 @@ pub enum Ask {
     Frames(PathBuf),
     /// Of a report of a problem, with the name to start from.
     Report(PathBuf),
+    /// Of a scene to take clouds out of, with the file that the dialog begins beside.
+    Append(PathBuf),
     /// Of a file of another program's to read, with the file that the dialog begins beside.
     Arrive(PathBuf),
     /// Of the model of that aircraft or prop, which lies beside the scene's file.
@@ -68,7 +70,7 @@ impl FileDialogs for NativeDialogs {
         let dialog = rfd::AsyncFileDialog::new();
         let dialog = match ask {
             Ask::Model(..) => dialog.add_filter("glTF models", &["glb"]),
-            Ask::Open(_) | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
+            Ask::Open(_) | Ask::Append(_) | Ask::Save(_) => dialog.add_filter("Cloudwright scenes", &[EXTENSION]),
             Ask::SaveScript(_) => dialog.add_filter("Plugins", &[plugins::EXTENSION]),
             // Of the ending that the name has; a user may give another.
             Ask::Arrive(_) => {
@@ -89,6 +91,7 @@ impl FileDialogs for NativeDialogs {
         // Made on this thread, as macOS wants it, and waited for on another.
         let file: std::pin::Pin<Box<dyn Future<Output = Option<rfd::FileHandle>> + Send>> = match ask {
             Ask::Open(scene) => Box::pin(beside(scene, dialog).set_title("Open scene").pick_file()),
+            Ask::Append(scene) => Box::pin(beside(scene, dialog).set_title("Append from scene").pick_file()),
             Ask::Arrive(scene) => Box::pin(beside(scene, dialog).set_title("Import").pick_file()),
             Ask::Save(start)
             | Ask::Export(start)

@@ -1,10 +1,12 @@
 //! Where the panels are docked: a tree of splits and tabs that the user drags, remembered between starts.
 
+use crate::command::{Command, context};
 use crate::panel::Panel;
+use crate::state::Offered;
 use crate::theme;
-use crate::widget::name_it;
+use crate::widget::{context_menu, name_it};
 use egui::scroll_area::{DragScroll, ScrollSource};
-use egui::{Id, Rect, ScrollArea, Ui, WidgetText};
+use egui::{Id, Rect, Response, ScrollArea, Ui, WidgetText};
 use egui_tiles::{
     Behavior, Container, Linear, LinearDir, SimplificationOptions, Tile, TileId, Tiles, Tree, UiResponse,
 };
@@ -54,16 +56,23 @@ impl Layout {
         std::mem::take(&mut self.changed)
     }
 
-    /// Shows all panels; `show` puts the content of one on the screen. The panel that help was asked about, if any.
-    pub(super) fn show(&mut self, ui: &mut Ui, show: impl FnMut(Panel, &mut Ui)) -> Option<Panel> {
+    /// Shows all panels; `show` puts the content of one on the screen. The panel that help was asked about, and what was
+    /// chosen in the menu of a tab.
+    pub(super) fn show(
+        &mut self,
+        ui: &mut Ui,
+        offered: &Offered,
+        show: impl FnMut(Panel, &mut Ui),
+    ) -> (Option<Panel>, Option<Command>) {
         if self.untouched {
             self.share_out(ui.available_width());
         }
-        let mut panes = Panes { show, changed: false, in_front: self.tree.active_tiles(), asked: None };
+        let in_front = self.tree.active_tiles();
+        let mut panes = Panes { show, offered, chosen: None, changed: false, in_front, asked: None };
         self.tree.ui(&mut panes, ui);
         self.changed |= panes.changed;
         self.untouched &= !panes.changed;
-        panes.asked
+        (panes.asked, panes.chosen)
     }
 
     /// Whether a panel is on the screen: not closed, and not behind another one's tab.
@@ -225,8 +234,10 @@ fn default_tree() -> Tree<Panel> {
     Tree::new(Id::unique("panels"), root, tiles)
 }
 
-struct Panes<F> {
+struct Panes<'a, F> {
     show: F,
+    offered: &'a Offered,
+    chosen: Option<Command>,
     changed: bool,
     /// Tiles that no other's tab is before.
     in_front: Vec<TileId>,
@@ -234,7 +245,7 @@ struct Panes<F> {
     asked: Option<Panel>,
 }
 
-impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
+impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<'_, F> {
     fn pane_ui(&mut self, ui: &mut Ui, _tile: TileId, panel: &mut Panel) -> UiResponse {
         ui.push_id(*panel, |ui| {
             let frame = if *panel == Panel::Viewport { egui::Frame::NONE } else { theme::side(ui) };
@@ -248,6 +259,11 @@ impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<F> {
 
     fn tab_title_for_pane(&mut self, panel: &Panel) -> WidgetText {
         format!("{} {}", panel.icon(), panel.name()).into()
+    }
+
+    fn on_tab_button(&mut self, _tiles: &mut Tiles<Panel>, _tile: TileId, tab: Response) -> Response {
+        self.chosen = context_menu(&tab, context::TAB, self.offered).or(self.chosen);
+        tab
     }
 
     fn is_tab_closable(&self, tiles: &Tiles<Panel>, tile: TileId) -> bool {

@@ -4,6 +4,7 @@
 //! their actions, dialogs. Panels only read and return actions; what they change shows in the next frame.
 //! Selection, camera and layout are view state and never saved.
 
+mod appending;
 mod autosave;
 mod charting;
 mod dialogs;
@@ -44,7 +45,7 @@ use crate::command::{self, Command, Menu};
 use crate::panel::{self, Manual, Palette, Panel};
 use crate::renderer::RendererChoice;
 use crate::starter::starter_scene;
-use crate::state::{Action, Charting, Clock, Reading, Selection, Session, TimePlay, ViewState};
+use crate::state::{Action, Charting, Clock, CommandState, Offered, Reading, Selection, Session, TimePlay, ViewState};
 use crate::storage::Folders;
 use crate::theme;
 use crate::thumbnail::Thumbnails;
@@ -293,14 +294,14 @@ impl Editor {
         }
     }
 
-    fn state_of(&self, command: Command) -> panel::CommandState<'_> {
+    fn state_of(&self, command: Command) -> CommandState {
         let document = self.session.document();
         let on_what = match command {
             Command::Undo => document.undo_name(),
             Command::Redo => document.redo_name(),
             _ => None,
         };
-        panel::CommandState { enabled: self.can(command), on: self.is_on(command), on_what }
+        CommandState { enabled: self.can(command), on: self.is_on(command), on_what: on_what.map(Into::into) }
     }
 
     /// Bars and panels, with that menu to be opened. What they ask for.
@@ -311,6 +312,9 @@ impl Editor {
             panel::menu_bar(ui, &state, self.plugins.library(), menu, &mut actions);
         });
         egui::Panel::top("tools").frame(theme::bar(ui)).show(ui, |ui| panel::toolbar(ui, &state, &mut actions));
+        // Asked only where a menu may be open: some commands look through all that is selected.
+        let may_show = egui::Popup::is_any_open(ui.ctx()) || ui.input(|input| input.pointer.secondary_released());
+        let offered = Offered::new(command::context::all().filter(|_| may_show), state);
         let Self {
             session,
             view,
@@ -344,6 +348,7 @@ impl Editor {
             script: &writing.script,
             library: plugins.library(),
             picture_size: disk.settings().picture.size(),
+            offered: &offered,
             units: disk.settings().units,
         };
         egui::Panel::bottom("status").frame(theme::bar(ui)).show(ui, |ui| {
@@ -355,13 +360,14 @@ impl Editor {
             panel::status(ui, &reading, &drawn, disk.saving, &mut actions);
         });
         egui::CentralPanel::no_frame().show(ui, |ui| {
-            let asked = layout.show(ui, |panel, ui| match panel {
+            let (asked, chosen) = layout.show(ui, &offered, |panel, ui| match panel {
                 Panel::Viewport => viewport.show(ui, &reading, &mut actions),
                 other => other.show(ui, &reading, &mut actions),
             });
             if let Some(panel) = asked {
                 *manual = Some(Manual::at(panel.name()));
             }
+            actions.extend(chosen.map(Action::Command));
         });
         actions
     }
@@ -400,6 +406,7 @@ impl eframe::App for Editor {
         if !self.is_asking() && !self.viewport.has_keys() {
             menu = panel::wanted_menu(&context);
             actions.extend(command::pressed(&context).into_iter().map(Action::Command));
+            actions.extend(command::pasted(&context).map(Action::Paste));
         }
         self.session.mute(self.view.timeline.muted(self.clock.time_s()));
         actions.extend(self.panels(ui, menu));

@@ -36,7 +36,7 @@ mod timeline;
 mod tour;
 mod weather_report;
 
-pub(crate) use bars::{CommandState, CommandStates, menu_bar, toolbar};
+pub(crate) use bars::{menu_bar, toolbar};
 pub(crate) use corner::Answer;
 pub(crate) use exchange::{ArrivingForm, ExchangeAnswer, LeavingChosen, LeavingForm, Stage, ask_arriving, ask_leaving};
 pub(crate) use film::{FilmChosen, FilmForm, ask_film, film_eyes};

@@ -2,9 +2,8 @@
 
 use super::plugin::kind_name;
 use crate::command::{Command, TABLE};
-use crate::panel::CommandStates;
 use crate::plugins::{Library, Origin};
-use crate::state::Action;
+use crate::state::{Action, CommandState};
 use crate::theme;
 use crate::visible;
 use crate::widget::{fitted, name_it};
@@ -38,7 +37,7 @@ impl Palette {
     pub(crate) fn show(
         &mut self,
         context: &Context,
-        state: &CommandStates<'_>,
+        state: &dyn Fn(Command) -> CommandState,
         library: &Library,
     ) -> Option<Option<Action>> {
         let (down, up) = context.input_mut(|input| {

@@ -6,7 +6,7 @@ use super::script::ScriptChange;
 use super::selection::{Choose, Item};
 use super::timeline::TimelineChange;
 use super::view::Lens;
-use crate::command::Command;
+use crate::command::{Command, Pasted};
 use crate::plugins::Origin;
 use cloudwright_core::arrange::keys::Rekeyed;
 use cloudwright_core::document::Edit;
@@ -19,6 +19,8 @@ use cloudwright_core::scene::{CameraId, CloudId, PathId};
 pub(crate) enum Action {
     /// A command of the table.
     Command(Command),
+    /// Add what came from the clipboard.
+    Paste(Pasted),
     /// Ask what is to be chosen of the plugin from there, and run it.
     Plugin(Origin),
     /// Something about the script that is being written.
@@ -88,6 +90,8 @@ pub(crate) enum ViewChange {
     Hidden(Item, bool),
     /// Keep the pointer from picking it, or let it again.
     Locked(Item, bool),
+    /// That thing's name is typed in the outline, or none is.
+    Renaming(Option<Item>),
     /// Another base altitude for the box tool, metres.
     BaseAltitude(f64),
     /// Steps that gestures snap to.

@@ -1,6 +1,6 @@
 //! What panels and viewport read in a frame.
 
-use super::{Charting, Clock, Script, Session, TimePlay, ViewState};
+use super::{Charting, Clock, Offered, Script, Session, TimePlay, ViewState};
 use crate::plugins::Library;
 use crate::thumbnail::Thumbnails;
 use crate::units::Units;
@@ -41,6 +41,8 @@ pub(crate) struct Reading<'a> {
     pub(crate) library: &'a Library,
     /// Of pictures that are drawn into files, pixels.
     pub(crate) picture_size: [u32; 2],
+    /// What menus at things offer.
+    pub(crate) offered: &'a Offered,
     /// What altitudes and speeds are shown in.
     pub(crate) units: Units,
 }

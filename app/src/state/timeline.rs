@@ -2,7 +2,7 @@
 //! View state: never saved, never undone.
 
 use super::selection::Choose;
-use cloudwright_core::arrange::keys::{Clip, KeyPlace, Rekeyed};
+use cloudwright_core::arrange::keys::{KeyPlace, Rekeyed};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::Target;
 use cloudwright_core::scene::{Scene, TrackId};
@@ -23,8 +23,6 @@ pub struct TimelineView {
     pub ripple: bool,
     /// What dragged keys snap to.
     pub snap: TimeSnap,
-    /// Keys that were copied.
-    pub clip: Option<Clip>,
     /// Counts how often all keys, or the chosen ones, were to be brought into sight.
     pub fit: u64,
     /// Counts how often the chosen tracks' rows were to be brought into sight.

@@ -143,6 +143,8 @@ pub struct ViewState {
     pub path_key: Option<(PathId, usize)>,
     /// What of the timeline is worked on.
     pub timeline: TimelineView,
+    /// Whose name is typed in the outline.
+    pub renaming: Option<Item>,
     /// Clouds and boxes that are not drawn.
     pub hidden: BTreeSet<Item>,
     /// Clouds and boxes that the pointer passes through.
@@ -169,6 +171,7 @@ impl Default for ViewState {
             lens: Lens::default(),
             path_key: None,
             timeline: TimelineView::default(),
+            renaming: None,
             hidden: BTreeSet::new(),
             locked: BTreeSet::new(),
             solo: BTreeSet::new(),
@@ -229,6 +232,7 @@ impl ViewState {
         for set in [&mut self.hidden, &mut self.locked, &mut self.solo] {
             set.retain(|item| item.is_in(scene));
         }
+        self.renaming = self.renaming.filter(|item| item.is_in(scene));
         self.path_key = self.path_key.filter(|(id, index)| {
             let count = scene.path(*id).map_or(0, |path| path.keys.len());
             self.selection.contains(Item::Path(*id)) && *index < count

@@ -47,8 +47,10 @@ mod wireframe;
 pub(crate) use grab::Grabbed;
 pub(crate) use picture::image;
 
+use crate::command::context;
 use crate::renderer::RendererChoice;
 use crate::state::{Action, Choose, Item, Reading, Session, Tool, ViewChange};
+use crate::widget::context_menu;
 use box_tool::BoxTool;
 use canvas::Canvas;
 use cloudwright_core::scene::Camera;
@@ -207,6 +209,8 @@ impl Viewport {
         }
         let is_free = !self.gizmo.is_held() && !self.marquee.is_on() && !self.grab.is_on();
         let may_fly = is_free && !self.holds_gesture();
+        // A right button that has flown or ended something is no click.
+        let may_ask = may_fly && !self.fly_control.is_flying();
         let path_view = self.take_path_view(reading);
         self.go_with_camera(reading);
         self.navigation.stay_above(reading.session.scene().ground.as_ref().map(|ground| ground.altitude_m));
@@ -262,6 +266,29 @@ impl Viewport {
                 ui.ctx().request_repaint();
             }
         }
+        if may_ask || !response.secondary_clicked() {
+            self.menu(&response, &screen, reading, actions);
+        }
+    }
+
+    /// A click of the right button offers what can be done with what lies there, which is chosen unless it is already.
+    fn menu(&self, response: &Response, screen: &Screen, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+        if response.secondary_clicked()
+            && let Some(at) = response.interact_pointer_pos()
+        {
+            let picked = match self.paths.under(at, screen) {
+                Some((path, _)) => Some(Picked { item: Item::Path(path), through: None }),
+                None => {
+                    let under = pick::under(at, screen, reading);
+                    under.get(pick::first(&under, reading)).copied()
+                }
+            };
+            if let Some(Picked { item, through }) = picked.filter(|found| !reading.view.selection.contains(found.item))
+            {
+                actions.push(Action::Select { items: vec![item], through, how: Choose::Only });
+            }
+        }
+        actions.extend(context_menu(response, context::VIEWPORT, reading.offered).map(Action::Command));
     }
 
     /// How marks at sprites are to see them.

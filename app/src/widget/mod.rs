@@ -7,6 +7,7 @@ mod fitted;
 mod handle;
 pub(crate) mod kept;
 mod markdown;
+mod offer;
 mod picture_choice;
 pub(crate) mod section;
 
@@ -19,6 +20,7 @@ pub(crate) use fitted::fitted;
 pub(crate) use handle::{Handle, Handled};
 pub(crate) use kept::Kept;
 pub(crate) use markdown::{markdown, with_known_glyphs};
+pub(crate) use offer::{context_menu, menu_line, offer};
 pub use picture_choice::{category_choice, preset_choice};
 pub(crate) use picture_choice::{picture_button, side_by_side};
 pub(crate) use section::{section, section_called};

@@ -3,7 +3,7 @@
 use super::{Plan, at_end, keys};
 use crate::document::Edit;
 use crate::property::Owner;
-use crate::scene::{CloudBox, CloudModel, HasId, KeyValue, List, ModelId, ShadingGroup, Thing, Track, TrackId};
+use crate::scene::{CloudBox, CloudModel, HasId, KeyValue, List, ModelId, Scene, ShadingGroup, Thing, Track, TrackId};
 use glam::DVec3;
 use std::collections::BTreeMap;
 
@@ -56,8 +56,13 @@ impl Copied {
 
     /// Copies of the originals' tracks. Clouds are `offset` metres away, and so is what their tracks say.
     pub(super) fn insert_tracks(&self, plan: &mut Plan<'_>, offset: DVec3) {
+        self.insert_tracks_of(plan.scene, plan, offset);
+    }
+
+    /// The same of originals in the scene `from`.
+    pub(super) fn insert_tracks_of(&self, from: &Scene, plan: &mut Plan<'_>, offset: DVec3) {
         let copies = |owner: Owner| self.of.get(&owner).cloned().unwrap_or_default();
-        for (target, track) in keys::of_copies(plan.scene, copies) {
+        for (target, track) in keys::of_copies(from, copies) {
             let mut new = Track { id: TrackId::new(&mut plan.next_id), property: target.to_string(), ..track.clone() };
             if matches!(target.owner, Owner::Thing(Thing::Cloud(_))) && target.property.path == "position" {
                 for key in &mut new.keys {

@@ -8,7 +8,7 @@ use super::copy::groups_of;
 use super::sprites::change_edits;
 use super::{Arrangement, Plan, keys};
 use crate::document::{Edit, ListEdit};
-use crate::scene::{CloudModel, ForKind, Listed, Scene, Thing, for_each_kind};
+use crate::scene::{CloudModel, ForKind, Listed, ModelId, Scene, Thing, for_each_kind};
 use std::collections::BTreeSet;
 
 /// Takes `things` out.
@@ -24,6 +24,12 @@ pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
         from_model(&mut plan, model, &doomed);
     }
     plan.done()
+}
+
+/// The models that no cloud places: what stays of them is their names in the outline, and their use in times to come.
+pub fn unused_models(scene: &Scene) -> Vec<Thing> {
+    let placed: BTreeSet<ModelId> = scene.clouds.iter().map(|cloud| cloud.model).collect();
+    scene.models.iter().filter(|model| !placed.contains(&model.id)).map(|model| Thing::Model(model.id)).collect()
 }
 
 /// Dooms what hangs on what is doomed.
@@ -79,7 +85,7 @@ mod tests {
     use super::super::test_scenes::{applied, moved, two_clouds, with_tracks};
     use super::*;
     use crate::problem::scene_with_flight;
-    use crate::scene::{ModelId, PathId, SpriteEdit};
+    use crate::scene::{PathId, SpriteEdit};
 
     #[test]
     fn any_mix_goes_and_nothing_points_at_it() {
@@ -161,8 +167,10 @@ mod tests {
         let edit = |index| SpriteEdit { dropped: true, ..SpriteEdit::new(index) };
         scene.models[1].boxes[0].sprite_edits = vec![edit(5), edit(2)];
         let after = applied(&scene, &things(&scene, &[Thing::Cloud(scene.clouds[0].id)]));
-        assert_eq!((after.models, after.clouds.len()), (scene.models.clone(), 1));
+        assert_eq!((&after.models, after.clouds.len()), (&scene.models, 1));
         assert_eq!(things(&scene, &[Thing::Model(ModelId(9999))]), Arrangement::default());
+        assert_eq!((unused_models(&scene), unused_models(&after)), (vec![], vec![Thing::Model(scene.models[0].id)]));
+        assert_eq!(applied(&after, &things(&after, &unused_models(&after))).models.len(), 1);
         let sprite = Thing::Sprite(scene.models[1].id, scene.models[1].boxes[0].id, 5);
         assert_eq!(things(&scene, &[sprite]), Arrangement::default(), "it is dropped already");
     }

@@ -9,6 +9,7 @@
 //! their random numbers are drawn by, so a copy looks like its original, hand-made changes to single sprites included.
 
 pub mod auto_group;
+pub mod clip;
 mod copied;
 mod copy;
 pub mod delete;
@@ -20,11 +21,14 @@ pub mod keys;
 pub mod mirror;
 mod model_space;
 mod names;
+pub mod order;
 pub mod place_many;
+pub mod rename;
 pub mod split;
 pub mod sprites;
 #[cfg(test)]
 mod test_scenes;
+pub mod transfer;
 
 pub(crate) use copy::copy_model;
 pub use model_space::ModelSpace;
@@ -51,6 +55,9 @@ pub enum Refusal {
     /// Splitting needs a part that is not the whole.
     #[error("choose some of the cloud's boxes, but not all, to split them off")]
     NotAPart,
+    /// Boxes are parts of a model.
+    #[error("choose a cloud or a model to paste boxes into")]
+    NoModel,
 }
 
 /// An arrangement in the making.

@@ -11,6 +11,7 @@ pub mod mitsuba_vol;
 pub mod model_glb;
 pub mod picture_exr;
 pub mod pretty_json;
+pub mod scene_clip;
 pub mod scene_file;
 pub mod schema;
 pub mod sprites_csv;

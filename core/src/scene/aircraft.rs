@@ -60,6 +60,12 @@ impl InScene for Aircraft {
         Some(("path", Thing::Path(self.path)))
     }
 
+    fn hang_on(&mut self, thing: Thing) {
+        if let Thing::Path(id) = thing {
+            self.path = id;
+        }
+    }
+
     /// Astern by some lengths of an aircraft at its usual speed.
     fn step_aside(&mut self) {
         self.ahead_s -= 0.5;

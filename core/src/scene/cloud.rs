@@ -95,4 +95,10 @@ impl InScene for Cloud {
     fn hangs_on(&self) -> Option<(&'static str, Thing)> {
         Some(("model", Thing::Model(self.model)))
     }
+
+    fn hang_on(&mut self, thing: Thing) {
+        if let Thing::Model(id) = thing {
+            self.model = id;
+        }
+    }
 }

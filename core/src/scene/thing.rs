@@ -48,6 +48,9 @@ pub trait InScene {
         None
     }
 
+    /// The same, to be another one of its kind.
+    fn hang_on(&mut self, _thing: Thing) {}
+
     /// Where in the world it can be taken and moved by hand, in order.
     fn poses_mut(&mut self) -> Vec<PoseMut<'_>> {
         Vec::new()

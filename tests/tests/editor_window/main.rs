@@ -4,9 +4,11 @@
 
 #![allow(clippy::panic, reason = "a failing test says what it found")]
 
+mod appending;
 mod arranging;
 mod by_keyboard;
 mod chart_panel;
+mod clipboard;
 mod clock;
 mod colors;
 mod crowd;
@@ -24,6 +26,7 @@ mod layouts;
 mod many_tracks;
 mod off_frame;
 mod on_disk;
+mod outline;
 mod paths_in_view;
 mod picture_choice;
 mod picturing;

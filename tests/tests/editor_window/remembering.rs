@@ -98,6 +98,13 @@ fn a_dropped_scene_is_opened() {
     assert!(window.shows("sky.png is no scene"));
     window.drop_files(&[&scene, &picture]);
     assert!(window.shows("One scene at a time"));
+    let folders = ["folder", "folder.cloudscene"].map(|name| home.path().join(name));
+    folders.iter().for_each(|folder| std::fs::create_dir(folder).expect("writable"));
+    window.drop_files(&[&folders[0]]);
+    assert!(window.shows("folder is no scene"));
+    window.drop_files(&[&folders[1]]);
+    assert!(window.shows("The scene can't be opened"));
+    window.press("OK");
     assert_eq!(window.session().path(), None);
     window.press("Add camera");
     window.drop_files(&[&scene]);

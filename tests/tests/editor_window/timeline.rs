@@ -197,9 +197,9 @@ fn keys_are_chosen_copied_and_deleted() {
     let at = window.key_named("key of Exposure at 20 s");
     window.click(at, Modifiers::NONE);
     window.click(window.key_named("key of Exposure at 30 s"), Modifiers::SHIFT);
-    window.command(Command::CopyKeys);
+    let copied = window.to_clipboard(Event::Copy);
     window.put_timeline(40.0);
-    window.command(Command::PasteKeys);
+    window.paste(&copied);
     assert_eq!(window.times("sky/exposure_ev"), [10.0, 20.0, 30.0, 40.0, 50.0]);
     // The pointer is over the timeline: Delete is about the keys that were pasted, and not about a cloud.
     let cloud = Item::Cloud(window.scene().clouds[0].id);

@@ -52,6 +52,7 @@ impl Walk {
             Command::AddPreset,
             Command::PlaceMany,
             Command::WeatherReport,
+            Command::Rename,
             Command::Palette,
             Command::Preferences,
             Command::PlayTime,

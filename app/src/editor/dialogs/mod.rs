@@ -4,6 +4,7 @@
 //! follows from it stands here.
 
 mod about;
+mod append;
 mod layouts;
 mod path;
 mod preferences;
@@ -11,6 +12,7 @@ mod preset;
 mod question;
 mod recent;
 mod recovery;
+mod rename;
 mod report;
 mod trouble;
 
@@ -22,11 +24,13 @@ use crate::storage::{Orphan, Over};
 use crate::theme;
 use crate::visible;
 use crate::widget::fitted;
+pub(super) use append::Append;
 use cloudwright_core::problem::Problem;
 use egui::{Align2, Id, Modal, Ui};
 use layouts::Choice;
 use question::Question;
 use recovery::Fate;
+pub(super) use rename::Rename;
 use std::mem::discriminant;
 use std::path::{Path, PathBuf};
 use trouble::Trouble;
@@ -62,6 +66,10 @@ pub(super) enum Dialog {
     Report(Report),
     /// What this is.
     About,
+    /// Clouds of another scene to choose from.
+    Append(Append),
+    /// Names for many things at once.
+    Rename(Rename),
     /// A path to be typed.
     Path { ask: Ask, text: String },
     /// Something went wrong.
@@ -112,7 +120,7 @@ impl Dialogs {
     /// Asks for a path by hand.
     pub(super) fn ask_path(&mut self, ask: Ask) {
         let text = match &ask {
-            Ask::Open(scene) | Ask::Arrive(scene) => match scene.parent() {
+            Ask::Open(scene) | Ask::Append(scene) | Ask::Arrive(scene) => match scene.parent() {
                 Some(folder) => folder.join("").display().to_string(),
                 None => String::new(),
             },
@@ -227,6 +235,16 @@ impl Editor {
                 }
             }
             Dialog::About => about::show(context, &self.facts())?,
+            Dialog::Append(append) => {
+                if append.choose(context)? {
+                    self.append(append);
+                }
+            }
+            Dialog::Rename(rename) => {
+                if rename.ask(context, self.session.scene())? {
+                    self.rename_many(rename);
+                }
+            }
             Dialog::Path { ask, text } => match path::ask(context, ask, text)? {
                 Some(path) => self.use_path(&ask.clone(), path, false, context),
                 None => self.give_up_what_follows(),

@@ -18,6 +18,7 @@ pub(super) fn ask(context: &egui::Context, ask: &Ask, text: &mut String) -> Opti
         Ask::Frames(_) => ("Folder for the frames", "Render"),
         Ask::Arrive(_) => ("Import", "Import"),
         Ask::Report(_) => ("Save report as", "Save"),
+        Ask::Append(_) => ("Append from scene", "Choose"),
         Ask::Model(..) => ("Choose model", "Choose"),
     };
     window(context, theme::DIALOG_WIDTH, title, None, |ui| {

@@ -9,11 +9,12 @@ use crate::state::{Item, Selection, box_of};
 use cloudwright_core::arrange::duplicate::{self, Copy};
 use cloudwright_core::arrange::mirror::{self, Axis};
 use cloudwright_core::arrange::sprites::SpriteId;
-use cloudwright_core::arrange::{Arrangement, Refusal, delete, fill, join, split, sprites};
+use cloudwright_core::arrange::{Arrangement, Refusal, delete, fill, join, rename, split, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::random;
 use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId};
 use glam::DVec3;
+use std::collections::BTreeSet;
 
 impl Editor {
     /// One undo point; what it made is selected. Where nothing is made, the selection stays.
@@ -32,7 +33,7 @@ impl Editor {
         self.edit_and_select(command, edits, selection);
     }
 
-    fn arrange_or_tell(&mut self, command: Command, arrangement: Result<Arrangement, Refusal>) {
+    pub(super) fn arrange_or_tell(&mut self, command: Command, arrangement: Result<Arrangement, Refusal>) {
         match arrangement {
             Ok(arrangement) => self.arrange(command, arrangement),
             Err(refusal) => self.tell_error(refusal.to_string()),
@@ -159,9 +160,13 @@ impl Editor {
 
     /// With what hangs on it. After a group or a sprite, the artist is still at work on its cloud.
     pub(super) fn delete(&mut self) {
-        if self.delete_key() {
-            return;
+        if !self.delete_key() {
+            self.take_out(Command::Delete);
         }
+    }
+
+    /// The selection goes, by that command.
+    pub(super) fn take_out(&mut self, command: Command) {
         let scene = self.session.scene();
         let things = self.view.selection.items();
         let left = match self.view.selection.primary() {
@@ -172,11 +177,34 @@ impl Editor {
             _ => Selection::default(),
         };
         let edits = delete::things(scene, things).edits;
-        self.edit_and_select(Command::Delete, edits, left);
+        let before: BTreeSet<Item> = delete::unused_models(scene).into_iter().collect();
+        self.edit_and_select(command, edits, left);
+        self.tell_what_stays(&before);
+    }
+
+    /// Models that are no longer placed, as before those were.
+    fn tell_what_stays(&mut self, before: &BTreeSet<Item>) {
+        let scene = self.session.scene();
+        let stays: Vec<Item> =
+            delete::unused_models(scene).into_iter().filter(|model| !before.contains(model)).collect();
+        let named = stays.first().and_then(|first| rename::name_of(scene, *first)).unwrap_or_default();
+        match stays.len() {
+            0 => {}
+            1 => self.tell(format!("Its model “{named}” stays, to be placed again; Remove unused models takes it out")),
+            more => self.tell(format!("{more} models stay, to be placed again; Remove unused models takes them out")),
+        }
+    }
+
+    pub(super) fn remove_unused_models(&mut self) {
+        let scene = self.session.scene();
+        let unused = delete::unused_models(scene);
+        let (count, edits) = (unused.len(), delete::things(scene, &unused).edits);
+        self.arrange(Command::RemoveUnusedModels, Arrangement { edits, made: Vec::new() });
+        self.tell(format!("Removed {count} model{} that no cloud placed", if count == 1 { "" } else { "s" }));
     }
 }
 
-fn boxes_of(selection: &Selection, model: ModelId) -> Vec<BoxId> {
+pub(super) fn boxes_of(selection: &Selection, model: ModelId) -> Vec<BoxId> {
     selection.boxes().filter(|(of, _)| *of == model).map(|(_, id)| id).collect()
 }
 

@@ -7,7 +7,7 @@ use crate::state::{Choose, TimelineChange};
 use crate::widget::field_to_key;
 use cloudwright_core::arrange::keys::{self, Ease, KeyPlace, Rekeyed};
 use cloudwright_core::property::Target;
-use cloudwright_core::scene::{KeyValue, Leaves, Track, TrackId};
+use cloudwright_core::scene::{KeyValue, Leaves, List, Track, TrackId};
 use std::collections::BTreeSet;
 
 impl Editor {
@@ -89,7 +89,7 @@ impl Editor {
     }
 
     /// The chosen keys; if none is, all of the chosen tracks.
-    fn keys_at_work(&self) -> BTreeSet<KeyPlace> {
+    pub(super) fn keys_at_work(&self) -> BTreeSet<KeyPlace> {
         let timeline = &self.view.timeline;
         if !timeline.chosen.is_empty() {
             return timeline.chosen.clone();
@@ -126,15 +126,9 @@ impl Editor {
         self.rekey(command, rekeyed);
     }
 
-    pub(super) fn copy_keys(&mut self) {
-        let clip = keys::copied(self.session.scene(), &self.keys_at_work());
-        self.view.timeline.clip = clip.or(self.view.timeline.clip.take());
-    }
-
-    /// What was copied, from the clock's time on.
-    pub(super) fn paste_keys(&mut self) {
-        let Some(clip) = &self.view.timeline.clip else { return };
-        let rekeyed = keys::pasted(self.session.scene(), clip, self.clock.time_s(), &self.view.timeline.tracks);
+    /// Keys that came from the clipboard, from the clock's time on.
+    pub(super) fn paste_keys(&mut self, copied: &List<Track>) {
+        let rekeyed = keys::pasted(self.session.scene(), copied, self.clock.time_s(), &self.view.timeline.tracks);
         if rekeyed.edits.is_empty() {
             return self.tell("What these keys were of is not in the scene");
         }
@@ -163,7 +157,7 @@ impl Editor {
         self.clock.set_marks(Some(marks).filter(|[a, b]| a < b));
     }
 
-    fn rekey(&mut self, command: Command, rekeyed: Rekeyed) {
+    pub(super) fn rekey(&mut self, command: Command, rekeyed: Rekeyed) {
         self.change_keys(command.row().label(), rekeyed, false, true);
     }
 }

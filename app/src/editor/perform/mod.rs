@@ -2,8 +2,10 @@
 
 mod add;
 mod arrange;
+mod clipboard;
 mod flight;
 mod keys;
+mod naming;
 mod shade;
 mod tracks;
 mod view;
@@ -16,6 +18,7 @@ use crate::manual;
 use crate::panel::{Manual, Panel};
 use crate::state::{Action, Item, Selection, SpriteMarks, TimeSnap, Tool};
 use crate::viewport::Grabbed;
+use cloudwright_core::arrange::delete;
 use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
 
@@ -48,6 +51,7 @@ impl Editor {
                 Action::Timeline(change) => self.change_timeline(change),
                 Action::View(change) => self.change_view(change),
                 Action::Chart(change) => self.change_chart(change, context),
+                Action::Paste(pasted) => self.paste(pasted),
                 Action::CancelPending => {
                     self.session.cancel_pending();
                     self.view.keep_what_is_in(self.session.scene());
@@ -138,9 +142,15 @@ impl Editor {
             }
             Command::SelectKeysBefore | Command::SelectKeysAfter | Command::FitTimeline => !scene.tracks.is_empty(),
             Command::SelectNoKeys => !self.view.timeline.tracks.is_empty(),
-            Command::PasteKeys => self.view.timeline.clip.is_some(),
             Command::ClearMarks => self.clock.marks().is_some(),
-            Command::DeleteKeys | Command::CopyKeys | Command::DuplicateKeys | Command::MirrorKeys => self.has_keys(),
+            Command::Cut | Command::Copy => self.can_copy(),
+            Command::Rename => self.renamable().next().is_some(),
+            Command::RemoveUnusedModels => !delete::unused_models(scene).is_empty(),
+            Command::DeleteKeys
+            | Command::CutKeys
+            | Command::CopyKeys
+            | Command::DuplicateKeys
+            | Command::MirrorKeys => self.has_keys(),
             Command::SlowKeys | Command::QuickenKeys | Command::KeysStep | Command::KeysLinear => self.has_keys(),
             Command::KeysSmooth | Command::KeysFlat | Command::KeysFree => self.has_keys(),
             Command::EndsBefore | Command::EndsAfter => self.has_keys(),
@@ -193,6 +203,7 @@ impl Editor {
         match command {
             Command::New => self.want(Intent::New, context),
             Command::Open => self.ask(Ask::Open(self.beside_what()), context),
+            Command::Append => self.ask(Ask::Append(self.beside_what()), context),
             Command::Import => self.ask(Ask::Arrive(self.beside_what()), context),
             Command::Export => self.ask_leaving(),
             Command::RenderPicture => self.ask_rendering(),
@@ -207,6 +218,11 @@ impl Editor {
             Command::Redo => self.redo(),
             Command::SelectAll => self.select_all(),
             Command::SelectNone => self.select(Selection::default()),
+            Command::Cut => self.cut(context),
+            Command::Copy => self.copy(context),
+            Command::Paste | Command::PasteKeys => Self::ask_clipboard(context),
+            Command::Rename => self.rename(),
+            Command::RemoveUnusedModels => self.remove_unused_models(),
             Command::Duplicate => self.duplicate(),
             Command::DuplicateOwn => self.duplicate_own(),
             Command::MakeOwn => self.make_own(),
@@ -313,8 +329,8 @@ impl Editor {
             | Command::KeysSmooth
             | Command::KeysFlat
             | Command::KeysFree => self.work_on_keys(command),
-            Command::CopyKeys => self.copy_keys(),
-            Command::PasteKeys => self.paste_keys(),
+            Command::CutKeys => self.cut_keys(context),
+            Command::CopyKeys => self.copy_keys(context),
             Command::SelectAllKeys => self.select_keys(|_| true),
             Command::SelectNoKeys => self.view.timeline.choose_none(),
             Command::SelectKeysBefore => {

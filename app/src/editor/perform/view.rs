@@ -11,6 +11,7 @@ impl Editor {
         match change {
             ViewChange::Hidden(item, on) => set(&mut view.hidden, item, on),
             ViewChange::Locked(item, on) => set(&mut view.locked, item, on),
+            ViewChange::Renaming(item) => view.renaming = item,
             ViewChange::BaseAltitude(metres) => view.base_altitude_m = Some(metres),
             ViewChange::Snap(snap) => view.snap = snap,
             ViewChange::TimeSpeed(hours_a_minute) => self.time_play.set_speed(hours_a_minute),

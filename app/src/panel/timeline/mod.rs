@@ -16,12 +16,12 @@ mod spot;
 mod toolbar;
 mod values;
 
-use crate::command::{Command, give_keys_to_timeline};
+use crate::command::{context, give_keys_to_timeline};
 use crate::state::{Action, Choose, Reading, TimelineChange};
 use crate::theme;
-use crate::widget::name_it;
+use crate::widget::{context_menu, name_it};
 use curves::Plot;
-use egui::{Event, Rangef, Rect, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, Vec2, pos2, vec2};
+use egui::{Rangef, Rect, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, Vec2, pos2, vec2};
 use hand::Field;
 use lines::{Line, Lines};
 use memory::{Gesture, Memory};
@@ -203,9 +203,10 @@ fn body(
     {
         actions.push(Action::Timeline(TimelineChange::Keys(vec![key], Choose::Only)));
     }
-    area.context_menu(|ui| toolbar::context_menu(ui, actions));
+    actions.extend(context_menu(&area, context::TIMELINE, reading.offered).map(Action::Command));
     if ui.rect_contains_pointer(place.body) {
-        by_keys(ui, actions);
+        // Keys of the keyboard are about keys of tracks.
+        give_keys_to_timeline(ui.ctx());
     }
 }
 
@@ -240,21 +241,4 @@ fn over(ui: &Ui, place: &Place, span: &Span, memory: &Memory, reading: &Reading<
         let area = Rect::from_two_pos(*from, at).intersect(place.keys);
         painter.rect(area, 0.0, theme::MARQUEE_FILL, theme::MARQUEE, egui::StrokeKind::Inside);
     }
-}
-
-/// Keys of the keyboard are about keys of tracks.
-fn by_keys(ui: &Ui, actions: &mut Vec<Action>) {
-    give_keys_to_timeline(ui.ctx());
-    if ui.ctx().text_edit_focused() {
-        return;
-    }
-    ui.input(|input| {
-        for event in &input.events {
-            match event {
-                Event::Copy => actions.push(Action::Command(Command::CopyKeys)),
-                Event::Paste(_) => actions.push(Action::Command(Command::PasteKeys)),
-                _ => {}
-            }
-        }
-    });
 }

@@ -170,19 +170,6 @@ fn easing_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
     }
 }
 
-/// What the other button offers on keys.
-pub(super) fn context_menu(ui: &mut Ui, actions: &mut Vec<Action>) {
-    easing_menu(ui, actions);
-    for group in [
-        &[Command::CopyKeys, Command::PasteKeys, Command::DuplicateKeys, Command::DeleteKeys][..],
-        &[Command::MirrorKeys, Command::SlowKeys, Command::QuickenKeys],
-        &[Command::SelectAllKeys, Command::SelectKeysBefore, Command::SelectKeysAfter],
-    ] {
-        ui.separator();
-        group.iter().for_each(|command| offer(ui, *command, actions));
-    }
-}
-
 fn offer(ui: &mut Ui, command: Command, actions: &mut Vec<Action>) {
     let row = command.row();
     if ui.button(row.name).on_hover_text(row.help).clicked() {

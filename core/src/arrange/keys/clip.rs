@@ -3,41 +3,31 @@
 use super::{KeyPlace, Rekeyed, marked, order::to_step, touched};
 use crate::document::{Edit, ListEdit};
 use crate::property::Target;
-use crate::scene::{Scene, Track, TrackId, TrackKey};
+use crate::scene::{List, Scene, Track, TrackId, TrackKey};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Keys that were copied.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Clip {
-    /// By property.
-    tracks: Vec<(String, Vec<TrackKey>)>,
-    /// When the first of them stood, seconds.
-    start_s: f64,
-}
-
-/// The chosen keys, to be pasted; none if none is chosen.
-pub fn copied(scene: &Scene, chosen: &BTreeSet<KeyPlace>) -> Option<Clip> {
+/// The tracks of the chosen keys, with those keys alone, to be pasted.
+pub fn copied(scene: &Scene, chosen: &BTreeSet<KeyPlace>) -> List<Track> {
     let of_track = |track: &Track| {
         let keys = marked(track, chosen).into_iter().filter(|(chosen, _)| *chosen);
-        (track.property.clone(), keys.map(|(_, key)| key).collect::<Vec<_>>())
+        Track { keys: keys.map(|(_, key)| key).collect(), ..track.clone() }
     };
-    let tracks: Vec<_> = touched(&scene.tracks, chosen).map(of_track).collect();
-    let start_s = tracks.iter().flat_map(|(_, keys)| keys).map(|key| key.time_s).reduce(f64::min)?;
-    Some(Clip { tracks, start_s })
+    touched(&scene.tracks, chosen).map(of_track).filter(|track| !track.keys.is_empty()).collect()
 }
 
-/// The clip with its first key at `at_s`: in the tracks of the same properties, which are made if they have gone. Keys of
-/// one property alone go into the tracks `onto` in its place, if any has as many parts.
-pub fn pasted(scene: &Scene, clip: &Clip, at_s: f64, onto: &BTreeSet<TrackId>) -> Rekeyed {
-    let by_s = at_s - clip.start_s;
-    let later = |key: &TrackKey| TrackKey { time_s: to_step(key.time_s + by_s), ..key.clone() };
-    let parts = |property: &str| property.parse::<Target>().ok().map(|target| target.parts());
+/// Keys that were copied, the first of them at `at_s`: in the tracks of the same properties, which are made if they have
+/// gone. Keys of one property alone go into the tracks `onto` in its place, if any has as many parts.
+pub fn pasted(scene: &Scene, copied: &List<Track>, at_s: f64, onto: &BTreeSet<TrackId>) -> Rekeyed {
     let mut rekeyed = Rekeyed::default();
-    if let [(property, keys)] = clip.tracks.as_slice() {
-        let fits = |track: &&Track| onto.contains(&track.id) && parts(&track.property) == parts(property);
+    let times_s = copied.iter().flat_map(|track| &track.keys).map(|key| key.time_s);
+    let Some(start_s) = times_s.reduce(f64::min) else { return rekeyed };
+    let later = |key: &TrackKey| TrackKey { time_s: to_step(key.time_s + at_s - start_s), ..key.clone() };
+    let parts = |property: &str| property.parse::<Target>().ok().map(|target| target.parts());
+    if let [alone] = copied.as_slice() {
+        let fits = |track: &&Track| onto.contains(&track.id) && parts(&track.property) == parts(&alone.property);
         let tracks: Vec<&Track> = scene.tracks.iter().filter(fits).collect();
         for track in &tracks {
-            add(&mut rekeyed, track, keys.iter().map(later));
+            add(&mut rekeyed, track, alone.keys.iter().map(later));
         }
         if !tracks.is_empty() {
             return rekeyed;
@@ -45,7 +35,7 @@ pub fn pasted(scene: &Scene, clip: &Clip, at_s: f64, onto: &BTreeSet<TrackId>) -
     }
     let tracks: BTreeMap<&str, &Track> = scene.tracks.iter().map(|track| (track.property.as_str(), track)).collect();
     let mut next_id = scene.next_id;
-    for (property, keys) in &clip.tracks {
+    for Track { property, keys, .. } in copied {
         match tracks.get(property.as_str()) {
             Some(track) => add(&mut rekeyed, track, keys.iter().map(later)),
             None if property.parse::<Target>().is_ok_and(|target| target.owner.is_in(scene)) => {

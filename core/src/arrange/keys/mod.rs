@@ -14,7 +14,7 @@ mod slopes;
 #[cfg(test)]
 mod tests;
 
-pub use clip::{Clip, copied, duplicated, pasted};
+pub use clip::{copied, duplicated, pasted};
 pub use order::{MOST_S, SAME_S, to_step};
 pub use owned::cleared_of;
 pub(super) use owned::{doomed, of_copies};

@@ -106,7 +106,7 @@ fn syntax_problem(text: &str, error: &serde_json::Error) -> Problem {
 }
 
 /// serde_json's words without its own " at line 1 column 2".
-fn without_place(error: &serde_json::Error) -> String {
+pub(super) fn without_place(error: &serde_json::Error) -> String {
     let text = error.to_string();
     text.rsplit_once(" at line ").map_or(text.clone(), |(message, _)| message.into())
 }

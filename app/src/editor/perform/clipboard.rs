@@ -1,0 +1,132 @@
+//! Cut, copy and paste: parts of the scene as text on the system's clipboard, keys of the timeline too.
+//!
+//! What a text is, it says itself ([`scene_clip`]), so it is pasted as that wherever the pointer is. What is no part of a
+//! scene changes nothing and is told.
+
+use crate::command::{Command, Pasted};
+use crate::editor::Editor;
+use crate::state::Item;
+use cloudwright_core::arrange::clip::{self, Clip, Holds};
+use cloudwright_core::formats::scene_clip;
+use egui::ViewportCommand;
+
+impl Editor {
+    /// Whether the selection is something that can stand on the clipboard.
+    pub(super) fn can_copy(&self) -> bool {
+        let scene = self.session.scene();
+        match self.view.selection.primary() {
+            Some(Item::Box(..)) => true,
+            Some(_) => self.view.selection.items().iter().any(|item| item.listed(scene).is_some()),
+            None => false,
+        }
+    }
+
+    /// The selected boxes of the primary's model; or all that stands in lists of the scene.
+    fn clip(&self) -> Option<Clip> {
+        let (scene, selection) = (self.session.scene(), &self.view.selection);
+        match selection.primary()? {
+            Item::Box(model, _) => clip::boxes(scene, model, &super::arrange::boxes_of(selection, model)),
+            _ => clip::things(scene, selection.items()),
+        }
+    }
+
+    pub(super) fn copy(&mut self, context: &egui::Context) {
+        if let Some(clip) = self.clip()
+            && self.put_on_clipboard(&clip, context)
+        {
+            self.tell(format!("Copied {}", told(&clip)));
+        }
+    }
+
+    pub(super) fn cut(&mut self, context: &egui::Context) {
+        if let Some(clip) = self.clip()
+            && self.put_on_clipboard(&clip, context)
+        {
+            self.take_out(Command::Cut);
+        }
+    }
+
+    pub(super) fn copy_keys(&mut self, context: &egui::Context) {
+        if let Some(clip) = clip::keys(self.session.scene(), &self.keys_at_work()) {
+            self.put_on_clipboard(&clip, context);
+        }
+    }
+
+    pub(super) fn cut_keys(&mut self, context: &egui::Context) {
+        let chosen = self.keys_at_work();
+        if let Some(clip) = clip::keys(self.session.scene(), &chosen)
+            && self.put_on_clipboard(&clip, context)
+        {
+            let rekeyed = cloudwright_core::arrange::keys::deleted(&self.session.scene().tracks, &chosen);
+            self.rekey(Command::CutKeys, rekeyed);
+        }
+    }
+
+    fn put_on_clipboard(&mut self, clip: &Clip, context: &egui::Context) -> bool {
+        match scene_clip::write(clip) {
+            Ok(text) => context.copy_text(text),
+            Err(error) => {
+                self.tell_error(format!("Nothing was copied: {error}"));
+                return false;
+            }
+        }
+        true
+    }
+
+    /// What is on the clipboard comes as an event, as if its keys had been pressed.
+    pub(super) fn ask_clipboard(context: &egui::Context) {
+        context.send_viewport_cmd(ViewportCommand::RequestPaste);
+    }
+
+    pub(super) fn paste(&mut self, pasted: Pasted) {
+        let text = match pasted {
+            Pasted::Text(text) => text,
+            Pasted::Picture => {
+                return self.tell_error(
+                    "Nothing was pasted: a picture is on the clipboard. Copy clouds, boxes, cameras or keys first",
+                );
+            }
+        };
+        let clip = match scene_clip::read(&text) {
+            Ok(clip) => clip,
+            Err(problem) => return self.tell_error(format!("Nothing was pasted. {}", said(&problem))),
+        };
+        if clip.holds == Holds::Keys {
+            return self.paste_keys(&clip.scene.tracks);
+        }
+        let scene = self.session.scene();
+        let model = self.view.selection.model(scene).map(|model| model.id);
+        self.arrange_or_tell(Command::Paste, clip::pasted(scene, &clip, model));
+    }
+}
+
+/// Place, fault and what to do.
+fn said(problem: &cloudwright_core::problem::Problem) -> String {
+    let place = if problem.place.is_empty() { String::new() } else { format!("At {}: ", problem.place) };
+    format!("{place}{} ({})", problem.message, problem.hint)
+}
+
+/// "2 clouds, 1 model".
+fn told(clip: &Clip) -> String {
+    let scene = &clip.scene;
+    if clip.holds == Holds::Boxes {
+        return counted(scene.models.iter().map(|model| model.boxes.len()).sum(), "box", "boxes").unwrap_or_default();
+    }
+    let counts = [
+        counted(scene.clouds.len(), "cloud", "clouds"),
+        counted(scene.models.len(), "model", "models"),
+        counted(scene.cameras.len(), "camera", "cameras"),
+        counted(scene.paths.len(), "path", "paths"),
+        counted(scene.aircraft.len(), "aircraft", "aircraft"),
+        counted(scene.props.len(), "prop", "props"),
+    ];
+    counts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+}
+
+fn counted(count: usize, one: &str, many: &str) -> Option<String> {
+    match count {
+        0 => None,
+        1 => Some(format!("1 {one}")),
+        _ => Some(format!("{count} {many}")),
+    }
+}
