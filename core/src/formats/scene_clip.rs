@@ -80,7 +80,7 @@ pub fn read(text: &str) -> Result<Clip, Problem> {
             return Err(Problem::error("version", message, "copy it in this Cloudwright, or paste it in a newer one"));
         }
         (scene_file::FORMAT, _) => {
-            let hint = "open it as a file, or take clouds out of it by File ▸ Append from scene…";
+            let hint = "open it as a file, or take clouds out of it by “Append from scene…” in the File menu";
             return Err(Problem::error("format", "it is a whole scene", hint));
         }
         (other, _) => {
@@ -182,7 +182,7 @@ mod tests {
             (&text.replace("\"things\"", "\"dogs\""), "line 4, holds", "unknown variant"),
             (&text.replace("\"clouds\"", "\"cluods\""), "line ", "unknown field"),
             (&text.replace("\"sprite_count\": 30", "\"sprite_count\": -30"), "models[0].boxes[0].sprite_count", "-30"),
-            (&text.replace("\"scale\": 1.0", "\"scale\": -3.0"), "clouds[0].scale", "-3"),
+            (&text.replace("\"scale\": 1", "\"scale\": -1"), "clouds[0].scale", "-1"),
             (&text.replace("\"next_id\": ", "\"next_id\": 99999999999999999"), "next_id", "no ids"),
             (&scene, "format", "whole scene"),
         ];

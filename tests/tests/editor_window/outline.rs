@@ -130,16 +130,16 @@ fn arrow_keys_go_through_the_rows() {
     window.keys(Modifiers::NONE, Key::ArrowUp);
     window.keys(Modifiers::SHIFT, Key::ArrowUp);
     assert_eq!(window.chosen_names(), ["cloud 005", "cloud 004"]);
-    for _ in 0..90 {
+    for _ in 0..45 {
         window.harness.key_press(Key::ArrowDown);
         window.harness.run_steps(3);
     }
-    assert_eq!(window.chosen_names(), ["cloud 094"]);
-    assert!(window.has_row("cloud 094"), "and stay in sight");
+    assert_eq!(window.chosen_names(), ["cloud 049"]);
+    assert!(window.has_row("cloud 049"), "and stay in sight");
     // With Shift all from the last one to it, with Ctrl one more or less.
-    window.click_row("cloud 090", Modifiers::SHIFT);
+    window.click_row("cloud 045", Modifiers::SHIFT);
     assert_eq!(window.chosen_names().len(), 5);
-    window.click_row("cloud 092", Modifiers::COMMAND);
+    window.click_row("cloud 047", Modifiers::COMMAND);
     assert_eq!(window.chosen_names().len(), 4);
     let model = window.scene().models[0].id;
     window.select([Item::Model(model)]);
@@ -186,7 +186,7 @@ fn names_are_changed_in_the_row_or_many_at_once() {
     window.keys(Modifiers::COMMAND, Key::A);
     window.harness.event(Event::Text("tower ##".into()));
     window.set("First number", 7.0);
-    assert!(window.shows("cloud 001 → tower 07"));
+    assert!(window.shows("cloud 001 becomes tower 07"));
     window.press("Rename");
     assert_eq!(window.names()[1..4], ["tower 07", "tower 08", "tower 09"]);
     assert_eq!(window.undo_name().as_deref(), Some("Rename"));
@@ -196,7 +196,7 @@ fn names_are_changed_in_the_row_or_many_at_once() {
 
 #[test]
 fn rows_are_dragged_to_another_place() {
-    let (mut window, _folder) = with_scene(&named_crowd(40));
+    let (mut window, _folder) = with_scene(&named_crowd(12));
     let start = window.file();
     let at = |window: &Window, name: &str| window.node(Role::Button, name).rect();
     let (from, to) = (at(&window, "cloud 001"), at(&window, "cloud 004"));
@@ -273,8 +273,8 @@ fn in_the_picture_a_click_of_it_offers_and_a_drag_flies() {
 #[test]
 fn a_tab_offers_the_panels() {
     let mut window = crate::tools::opened();
-    let at = window.harness.get_by_label_contains("History").rect().center();
+    let at = window.harness.get_by_label("\u{e1a0} History").rect().center();
     window.right_click(at);
     window.press("Chart");
-    assert!(window.harness.query_by_label_contains("Measure").is_some());
+    assert!(window.harness.query_all_by_label_contains("Measure").next().is_some());
 }

@@ -197,7 +197,7 @@ fn keys_are_chosen_copied_and_deleted() {
     let at = window.key_named("key of Exposure at 20 s");
     window.click(at, Modifiers::NONE);
     window.click(window.key_named("key of Exposure at 30 s"), Modifiers::SHIFT);
-    let copied = window.to_clipboard(Event::Copy);
+    let copied = window.clipped(Event::Copy);
     window.put_timeline(40.0);
     window.paste(&copied);
     assert_eq!(window.times("sky/exposure_ev"), [10.0, 20.0, 30.0, 40.0, 50.0]);

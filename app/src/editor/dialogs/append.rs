@@ -11,7 +11,7 @@ use std::collections::BTreeSet;
 #[derive(Debug)]
 pub(in crate::editor) struct Append {
     /// The other scene, and its file's name.
-    pub(in crate::editor) scene: Scene,
+    pub(in crate::editor) scene: Box<Scene>,
     pub(in crate::editor) name: String,
     pub(in crate::editor) chosen: BTreeSet<CloudId>,
     typed: String,
@@ -21,7 +21,7 @@ impl Append {
     /// With all clouds chosen.
     pub(in crate::editor) fn new(scene: Scene, name: String) -> Self {
         let chosen = scene.clouds.iter().map(|cloud| cloud.id).collect();
-        Self { scene, name, chosen, typed: String::new() }
+        Self { scene: Box::new(scene), name, chosen, typed: String::new() }
     }
 
     /// Some(true) if those are to come in.

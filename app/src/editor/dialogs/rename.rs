@@ -56,7 +56,7 @@ impl Rename {
             for (thing, number) in shown {
                 let old = rename::name_of(scene, *thing).unwrap_or_default();
                 let new = rename::by_pattern(&self.pattern, old, number);
-                ui.weak(visible::one_line(&format!("{old} → {new}")));
+                ui.weak(visible::one_line(&format!("{old} becomes {new}")));
             }
             if self.things.len() > 3 {
                 ui.weak("…");

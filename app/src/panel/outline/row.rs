@@ -9,8 +9,7 @@ use cloudwright_core::arrange::rename;
 use egui::collapsing_header::paint_default_icon;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, Button, EventFilter, Key, Layout, Response, RichText, Sense, TextEdit, Ui, Vec2, WidgetInfo, WidgetType,
-    vec2,
+    Align, Button, EventFilter, Key, Layout, Response, RichText, Role, Sense, TextEdit, Ui, Vec2, WidgetInfo, vec2,
 };
 
 /// What is known of a line besides its words.
@@ -44,7 +43,7 @@ pub(super) fn titled(list: &str) -> String {
 fn fold_mark(ui: &mut Ui, what: &str, folded: bool) -> bool {
     let (_, response) = ui.allocate_exact_size(Vec2::splat(ui.spacing().icon_width), Sense::click());
     let name = format!("{} {what}", if folded { "Unfold" } else { "Fold" });
-    response.widget_info(|| WidgetInfo::labeled(WidgetType::Button, true, &name));
+    response.widget_info(|| WidgetInfo::labeled(Role::Button, true, &name));
     paint_default_icon(ui, if folded { 0.0 } else { 1.0 }, &response);
     response.on_hover_text(name).clicked()
 }
@@ -91,14 +90,15 @@ pub(super) fn thing(
 /// Space for its depth, and the button that folds.
 fn indent(ui: &mut Ui, line: &Line<'_>, text: &str, shown: &Shown, memory: &mut Memory) {
     let step = ui.spacing().icon_width;
-    ui.add_space(step * (line.depth() as f32 - 1.0));
+    ui.add_space(step * line.depth() as f32);
     match line.fold() {
         Some(fold @ Fold::Model(_)) => {
             if fold_mark(ui, text, shown.folded) {
                 memory.toggle(fold);
             }
         }
-        _ => ui.add_space(step),
+        // As wide as the triangle.
+        _ => ui.add_space(step + ui.spacing().item_spacing.x),
     }
 }
 
