@@ -205,7 +205,7 @@ mod tests {
         assert!(navigation.pivot().distance(pivot) < 1e-3, "the axes are f32");
         assert!((navigation.camera().pitch_deg - 36.0).abs() < 1e-9);
         navigation.orbit(vec2(0.0, -1e6));
-        assert_eq!(navigation.camera().pitch_deg, -90.0);
+        assert_eq!(navigation.camera().pitch_deg, 90.0);
         let before = navigation.forward();
         let view = View::new(navigation.camera(), 800, 600);
         navigation.pan(vec2(50.0, 20.0), &view);
