@@ -281,6 +281,8 @@ impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<'_, F> {
         _scroll_offset: &mut f32,
     ) {
         let Some(Tile::Pane(panel)) = tabs.active.and_then(|active| tiles.get(active)) else { return };
+        // It stands at the right.
+        ui.add_space(theme::TAB_SPACING);
         let button = ui.add(egui::Button::new("?").frame(false));
         name_it(ui, &button, &format!("Help on {}", panel.name()));
         if button.on_hover_text(format!("The manual's page on {}", panel.name())).clicked() {

@@ -1,11 +1,8 @@
 //! Layouts of the panels that are kept by name.
 
 use super::Editor;
-use super::dialogs::Dialog;
+use super::dialogs::{Dialog, LONGEST_NAME};
 use super::layout::Layout;
-
-/// Of a name, characters.
-pub(super) const LONGEST_NAME: usize = 60;
 
 const NOT_UNDERSTOOD: &str =
     "is not understood here (a later version's, or damaged); the panels are in their usual places";

@@ -1,20 +1,13 @@
 //! What there is to tell about this program, and a file of it for whoever looks into a problem.
 
 use super::Editor;
-use super::dialogs::Dialog;
+use super::dialogs::{Dialog, Report};
 use super::done::Done;
 use super::files::{Ask, over};
 use crate::storage::{self, StorageError};
 use cloudwright_core::formats::scene_file;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
-
-/// What the user says of a problem.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Report {
-    pub(super) said: String,
-    pub(super) with_scene: bool,
-}
 
 impl Editor {
     /// Names and values, for *About* and reports.

@@ -6,6 +6,7 @@ use crate::plugins::Library;
 use crate::state::{Action, CommandState};
 use crate::theme;
 use crate::widget::{menu_line, offer};
+use egui::containers::menu::MenuConfig;
 use egui::{Button, ScrollArea, Ui};
 
 /// The buttons, in groups.
@@ -27,7 +28,8 @@ pub(crate) fn menu_bar(
     actions: &mut Vec<Action>,
 ) {
     let mut open = None;
-    egui::MenuBar::new().ui(ui, |ui| {
+    let bar = egui::MenuBar::new().style(theme::menu).config(MenuConfig::new().style(theme::menu));
+    bar.ui(ui, |ui| {
         for menu in Menu::ALL {
             let shown = ui.menu_button(menu_keys::name(ui, menu), |ui| {
                 // Long menus in low windows.

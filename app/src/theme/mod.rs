@@ -256,6 +256,12 @@ fn light(visuals: &mut Visuals) {
     visuals.widgets.active.bg_stroke = Stroke::new(FOCUS_WIDTH, focus_color(false));
 }
 
+/// Of menus: quiet but for what the pointer or the keyboard is at.
+pub(crate) fn menu(style: &mut Style) {
+    egui::containers::menu::menu_style(style);
+    style.visuals.widgets.active.bg_stroke = Stroke::new(FOCUS_WIDTH, focus_color(style.visuals.dark_mode));
+}
+
 /// Menus, tools and status.
 pub(crate) fn bar(ui: &Ui) -> Frame {
     Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(8, 4))

@@ -4,7 +4,6 @@ use crate::Window;
 use cloudwright::command::Command;
 use cloudwright::editor::{Ask, Reply};
 use egui::accesskit::Role;
-use egui_kittest::kittest::Queryable;
 
 #[test]
 fn about_tells_version_and_renderer() {
@@ -37,7 +36,7 @@ fn a_report_holds_what_is_needed_and_the_scene_only_if_asked() {
         window.press("Save…");
         assert!(matches!(window.script.asked.borrow().last(), Some(Ask::Report(_))));
         let text = std::fs::read_to_string(path.with_extension("txt")).expect("written");
-        for words in ["It rained.", env!("CARGO_PKG_VERSION"), "Drawn by: CPU", "Add camera", "\"theme\""] {
+        for words in ["It rained.", env!("CARGO_PKG_VERSION"), "Drawn by: CPU", "- Camera", "\"theme\""] {
             assert!(text.contains(words), "{words} in {text}");
         }
         assert_eq!(text.contains("\"cameras\""), with_scene);
@@ -71,6 +70,7 @@ fn each_panel_opens_its_page() {
         window.command(panel);
         window.press(&format!("Help on {name}"));
         assert!(window.shows(words), "{name}");
+        window.press("Close the manual");
     }
     window.press("Help on Viewport");
     assert!(window.shows("The picture, and all that is done in it"));

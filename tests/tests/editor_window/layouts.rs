@@ -9,11 +9,11 @@ use serde_json::{Value, json};
 
 impl Window {
     fn has_tab(&self, name: &str) -> bool {
-        self.harness.query_by_role(Role::Tab).is_some() && self.harness.query_by_label_contains(name).is_some()
+        self.shows(&format!("Help on {name}"))
     }
 
     fn below_the_picture(&self) -> bool {
-        let [picture, keys] = ["Viewport", "Keys over time"].map(|label| self.harness.query_by_label(label));
+        let [picture, keys] = ["Viewport", "Help on Timeline"].map(|label| self.harness.query_by_label(label));
         matches!((picture, keys), (Some(picture), Some(keys)) if keys.rect().top() > picture.rect().bottom())
     }
 

@@ -223,7 +223,7 @@ impl Window {
     }
 
     fn shows(&self, label: &str) -> bool {
-        self.harness.query_by_label_contains(label).is_some()
+        self.harness.query_all_by_label_contains(label).next().is_some()
     }
 
     fn pointer(&mut self, to: Pos2, pressed: Option<bool>) {

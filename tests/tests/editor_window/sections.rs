@@ -7,6 +7,11 @@ use egui::accesskit::Role;
 use egui_kittest::kittest::Queryable;
 
 impl Window {
+    fn fold(&mut self, title: &str) {
+        self.node(Role::DisclosureTriangle, title).click();
+        self.settle();
+    }
+
     fn has_field(&self, label: &str) -> bool {
         self.harness.query_by_role_and_label(Role::SpinButton, label).is_some()
     }
@@ -23,7 +28,7 @@ fn what_is_folded_stays_folded() {
     let mut window = Window::open_with(folders());
     window.select([box_of(&window, 0)]);
     assert!(window.has_field("Sprites") && window.has_field("Density"));
-    window.press("Sprites");
+    window.fold("Sprites");
     window.harness.run_steps(8);
     assert!(!window.has_field("Sprites") && !window.has_field("Density"), "folded");
     assert!(window.has_field("Turn"), "and no other part");
@@ -33,7 +38,7 @@ fn what_is_folded_stays_folded() {
     let mut window = Window::open_with(folders());
     window.select([box_of(&window, 2)]);
     assert!(!window.has_field("Density"), "and at the next start");
-    window.press("Sprites");
+    window.fold("Sprites");
     assert!(window.has_field("Density"));
 }
 
@@ -44,7 +49,7 @@ fn a_cloud_has_parts_too() {
     window.select([Item::Cloud(cloud)]);
     for (part, field) in [("Place", "Scale"), ("Look and wind", "Opacity")] {
         assert!(window.has_field(field));
-        window.press(part);
+        window.fold(part);
         window.harness.run_steps(8);
         assert!(!window.has_field(field), "{part} is folded");
     }

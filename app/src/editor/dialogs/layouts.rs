@@ -1,11 +1,13 @@
 //! Layouts of the panels by their names: one to be given, or one to be chosen.
 
 use super::{buttons, window};
-use crate::editor::layouts::LONGEST_NAME;
 use crate::theme::{self, icon};
 use crate::visible;
 use crate::widget::name_it;
 use egui::{Align, Button, Context, Key, Layout, ScrollArea, TextEdit, Ui};
+
+/// Of a name, characters.
+pub(in crate::editor) const LONGEST_NAME: usize = 60;
 
 /// Some(None) if the user changed their mind.
 pub(super) fn name(context: &Context, name: &mut String) -> Option<Option<String>> {

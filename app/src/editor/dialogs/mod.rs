@@ -16,10 +16,12 @@ mod rename;
 mod report;
 mod trouble;
 
+pub(super) use layouts::LONGEST_NAME;
+pub(super) use report::Report;
+
 use super::Editor;
 use super::files::Ask;
 use super::intent::{Intent, Then};
-use super::report::Report;
 use crate::storage::{Orphan, Over};
 use crate::theme;
 use crate::visible;

@@ -4,6 +4,13 @@ use super::{buttons, window};
 use crate::theme;
 use egui::{Context, ScrollArea, TextEdit};
 
+/// What the user says of a problem.
+#[derive(Debug, Clone, Default)]
+pub(in crate::editor) struct Report {
+    pub(in crate::editor) said: String,
+    pub(in crate::editor) with_scene: bool,
+}
+
 /// What is answered.
 pub(super) enum Answer {
     Save,

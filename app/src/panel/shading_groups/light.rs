@@ -101,7 +101,7 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
     let more = if lights.len() > 1 { format!(" and {} more", lights.len() - 1) } else { String::new() };
     let shown = format!("Light of {title}{more}");
     section_called(ui, "Light", &shown, |ui| {
-        drop(ui.push_id(("light", model.id), |ui| {
+        ui.push_id(("light", model.id), |ui| {
             if let Some((at, share)) = curve::show(ui, &before, tint)
                 && let Some(row) = curve::row(at)
             {
@@ -123,7 +123,7 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
                 lit.edit()
             };
             owned().show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, Lit::LIGHT), edit);
-        }))
+        });
     });
 }
 
