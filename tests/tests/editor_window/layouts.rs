@@ -67,7 +67,7 @@ fn what_is_not_understood_leaves_the_usual_layout() {
     let good = Settings::load(&folders).0.layouts["good"].clone();
     let later: Value = serde_json::from_str(&good.to_string().replace("\"viewport\"", "\"hologram\"")).expect("JSON");
     // A container that is within itself.
-    let mut round = good.clone();
+    let mut round = good;
     let root = round["root"].clone();
     for tile in round["tiles"]["tiles"].as_object_mut().expect("tiles").values_mut() {
         if let Some(children) = tile.pointer_mut("/Container/Tabs/children").and_then(Value::as_array_mut) {
