@@ -104,7 +104,7 @@ fn all_of_each_menu_can_be_reached() {
                 let role = Role::Button;
                 let find = |window: &Window| {
                     let all = window.harness.query_all_by_role_and_label(role, row.name);
-                    all.map(|node| node.rect()).filter(|rect| rect.top() > 20.0 || menu == Menu::File).next_back()
+                    all.map(|node| node.rect()).rfind(|rect| rect.top() > 20.0 || menu == Menu::File)
                 };
                 if let Some(node) = window.harness.query_all_by_role_and_label(role, row.name).last() {
                     node.scroll_to_me();
