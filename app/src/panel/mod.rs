@@ -130,9 +130,9 @@ impl Panel {
         Some(match self {
             Self::Viewport => return None,
             Self::Outline | Self::History | Self::Problems => 190.0,
-            Self::Inspector => 300.0,
-            Self::ColorLevels | Self::ShadingGroups | Self::Flight => 330.0,
-            Self::Sky | Self::Chart => 350.0,
+            Self::Inspector => 370.0,
+            Self::ColorLevels | Self::ShadingGroups | Self::Flight => 370.0,
+            Self::Sky | Self::Chart => 380.0,
             Self::Script => 400.0,
             Self::Timeline => 460.0,
         })
