@@ -47,13 +47,6 @@ impl Window {
         self.harness.query_by_role_and_label(Role::Button, name).is_some()
     }
 
-    fn type_into(&mut self, field: &str, text: &str) {
-        self.node(Role::TextInput, field).focus();
-        self.settle();
-        self.harness.event(Event::Text(text.into()));
-        self.settle();
-    }
-
     fn click_row(&mut self, name: &str, modifiers: Modifiers) {
         let at = self.node(Role::Button, name).rect().center();
         self.click(at, modifiers);
@@ -79,15 +72,15 @@ impl Window {
 fn rows_are_found_by_name_and_by_kind() {
     let (mut window, _folder) = with_scene(&named_crowd(120));
     assert!(window.has_row("Clouds (120)") && window.has_row("cloud 000"));
-    window.type_into("Find in the outline", "D 11");
+    window.type_into(Role::TextInput, "Find in the outline", "D 11");
     assert!(window.has_row("Clouds (10 of 120)") && window.has_row("cloud 110") && !window.has_row("cloud 000"));
     assert!(window.has_row("Models (0 of 3)"));
-    window.type_into("Find in the outline", "zzz");
+    window.type_into(Role::TextInput, "Find in the outline", "zzz");
     assert!(window.has_row("Clouds (0 of 120)"));
     for _ in 0.."D 11zzz".len() {
         window.keys(Modifiers::NONE, Key::Backspace);
     }
-    window.type_into("Find in the outline", "BODY OF R");
+    window.type_into(Role::TextInput, "Find in the outline", "BODY OF R");
     assert!(window.has_row("body of round") && window.has_row("round"), "with the model that it is of");
     assert!(!window.has_row("low"));
     for _ in 0.."BODY OF R".len() {
