@@ -319,7 +319,21 @@ fn scrolled_sideways(ui: &mut Ui, least: f32, add: impl FnOnce(&mut Ui)) {
         // A panel without content still fills its place.
         ui.set_min_height(room.y);
         add(ui);
+        follow_focus(ui);
     });
+}
+
+/// Brings what got the focus into sight: areas within, which scroll downwards, leave nothing of that for sideways.
+fn follow_focus(ui: &Ui) {
+    let focused = ui.memory(|memory| memory.focused());
+    let followed: Option<Id> = ui.data(|data| data.get_temp(ui.scope_id()));
+    let Some(id) = focused.filter(|id| followed != Some(*id)) else { return };
+    let field = ui.ctx().read_response(id).filter(|field| field.layer_id == ui.layer_id());
+    // One that is still above or below comes first into this panel, or is another panel's.
+    if let Some(field) = field.filter(|field| ui.min_rect().contains(field.rect.min)) {
+        ui.scroll_to_rect(field.rect, None);
+        ui.data_mut(|data| data.insert_temp(ui.scope_id(), id));
+    }
 }
 
 /// Not by drags: those belong to what is in the panels.
