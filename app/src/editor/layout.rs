@@ -311,11 +311,14 @@ impl<F: FnMut(Panel, &mut Ui)> Behavior<Panel> for Panes<'_, F> {
     }
 }
 
-/// A place narrower than `least` is scrolled sideways instead of cutting off what stands at its right.
+/// Panels are laid out for the docks of a window of 1280 points, which are so wide. Narrower ones are scrolled sideways.
+const DOCK_WIDTH: f32 = 320.0;
+
+/// A place narrower than a dock is scrolled sideways, `least` points wide, instead of cutting off what stands at its right.
 fn scrolled_sideways(ui: &mut Ui, least: f32, add: impl FnOnce(&mut Ui)) {
     let room = ui.available_size();
     ScrollArea::horizontal().auto_shrink(false).scroll_source(SCROLLS).show(ui, |ui| {
-        ui.set_width(room.x.max(least));
+        ui.set_width(if room.x < DOCK_WIDTH { least.max(room.x) } else { room.x });
         // A panel without content still fills its place.
         ui.set_min_height(room.y);
         add(ui);

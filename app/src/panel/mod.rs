@@ -125,7 +125,7 @@ impl Panel {
         }
     }
 
-    /// Where it is narrower than so many points, it is scrolled sideways. The picture has any size.
+    /// Where it is narrower than a dock, it is scrolled sideways and so many points wide. The picture has any size.
     pub(crate) fn least_width(self) -> Option<f32> {
         Some(match self {
             Self::Viewport => return None,

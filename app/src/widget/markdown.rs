@@ -166,7 +166,9 @@ fn pieces(words: &str) -> Vec<(Manner, String)> {
     while let Some(letter) = rest.chars().next() {
         let marked = marks.iter().find_map(|(mark, manner)| {
             let (inner, after) = rest.strip_prefix(mark)?.split_once(mark)?;
-            (!inner.is_empty()).then_some((*manner, inner, after))
+            // A star before a space is a star.
+            let begins = inner.chars().next().is_some_and(|first| !first.is_whitespace());
+            begins.then_some((*manner, inner, after))
         });
         let linked = || {
             let (inner, after) = rest.strip_prefix('[')?.split_once("](")?;
@@ -258,8 +260,7 @@ mod tests {
             (Manner::Plain, ", "),
             (Manner::Slanted, "e"),
             (Manner::Plain, " "),
-            (Manner::Plain, "f"),
-            (Manner::Plain, " 2 * 3 ** "),
+            (Manner::Plain, "f 2 * 3 ** "),
         ];
         let got = pieces("a **b** `c*d*`, *e* [f](g) 2 * 3 ** ");
         let got: Vec<(Manner, &str)> = got.iter().map(|(manner, piece)| (*manner, piece.as_str())).collect();
