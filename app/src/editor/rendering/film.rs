@@ -147,7 +147,7 @@ impl Editor {
             }
             Some(Err(error @ NoFlight::NoVideo { .. })) => asked.progress = Progress::Choosing(Some(error.to_string())),
             Some(Err(error)) => {
-                asked.progress = Progress::Choosing(Some(format!("Nothing more was written: {error}.")))
+                asked.progress = Progress::Choosing(Some(format!("Nothing more was written: {error}.")));
             }
             None => {}
         }
