@@ -113,7 +113,9 @@ fn all_of_each_menu_can_be_reached() {
         for menu in Menu::ALL {
             window.press(menu.name());
             let rows: Vec<_> = TABLE.iter().filter(|row| row.menu == menu).collect();
-            for row in rows {
+            // Where the last row shows without a scroll, all do.
+            let first = if size == SIZES[0] { 0 } else { rows.len() - 1 };
+            for row in &rows[first..] {
                 let role = Role::Button;
                 let find = |window: &Window| {
                     let all = window.harness.query_all_by_role_and_label(role, row.name);
@@ -122,7 +124,7 @@ fn all_of_each_menu_can_be_reached() {
                 if let Some(node) = window.harness.query_all_by_role_and_label(role, row.name).last() {
                     node.scroll_to_me();
                 }
-                window.harness.run_steps(3);
+                window.harness.run_steps(2);
                 let rect = find(&window).expect("it is in the menu");
                 assert!(window.size().contains_rect(rect), "{} in {:?}: {rect:?}", row.name, window.size().size());
             }
@@ -132,13 +134,14 @@ fn all_of_each_menu_can_be_reached() {
 }
 
 /// A command that asks, and a button of its answer.
-const DIALOGS: [(Command, &str); 13] = [
+const DIALOGS: [(Command, &str); 14] = [
     (Command::AddPreset, "Cancel"),
     (Command::PlaceMany, "Cancel"),
     (Command::ThinOut, "Cancel"),
     (Command::WeatherReport, "Cancel"),
     (Command::Export, "Cancel"),
     (Command::RenderPicture, "Cancel"),
+    (Command::RenderFlight, "Cancel"),
     (Command::Palette, "File: New"),
     (Command::Preferences, "Done"),
     (Command::SaveLayout, "Cancel"),
