@@ -6,6 +6,7 @@ use cloudwright::command::Command;
 use cloudwright::editor::Reply;
 use cloudwright_tests::root;
 use egui::accesskit::Role;
+use egui_kittest::kittest::NodeT;
 use std::path::Path;
 
 /// A scene that ships, with a path and cameras, in a folder of its own.
@@ -142,6 +143,8 @@ fn a_film_that_is_stopped_or_refused_says_so() {
     window.set("Height", 720.0);
     window.answer(Reply::Path(folder.path().join("stopped")));
     window.press("Render…");
+    let progress = window.node(Role::ProgressIndicator, "Progress of Render…").accesskit_node().numeric_value();
+    assert!(progress.is_some_and(|share| share < 50.0), "hundreds of frames are to come: {progress:?}");
     window.press("Stop");
     window.wait("that it has stopped", |window| window.shows("Stopped: the frames drawn so far are there"));
     assert_eq!(std::fs::read(folder.path().join("taken.mp4")).expect("there"), b"mine");

@@ -97,7 +97,9 @@ fn carry_out(request: Request, watch: &Watch) -> Result<Rendered, Failed> {
     }
     // What the window shows may still be on the way to this scene.
     let nothing = Derived::default();
-    let derived = nothing.plan(&scene, &Change::everything()).carry_out(watch).ok_or(NoPicture::Stopped)?;
+    // Progress is the picture's.
+    let of_clouds = Watch::cancelled_by(watch.cancelled());
+    let derived = nothing.plan(&scene, &Change::everything()).carry_out(&of_clouds).ok_or(NoPicture::Stopped)?;
     let eye = match &eye {
         Ok(id) => StillEye::Saved(scene.cameras.with_id(*id).ok_or(Failed::NoCamera)?),
         Err(camera) => StillEye::Free(camera),

@@ -137,8 +137,11 @@ impl Flight<'_> {
             storage::check_writable(video)?;
         }
         let folder = frames.make_folder()?;
-        let derived = Derived::default();
-        let derived = derived.plan(self.scene, &Change::everything()).carry_out(watch).ok_or(NoPicture::Stopped)?;
+        // Progress is the film's; what a part tells goes nowhere.
+        let of_part = || Watch::cancelled_by(watch.cancelled());
+        let plan = Derived::default();
+        let plan = plan.plan(self.scene, &Change::everything());
+        let derived = plan.carry_out(&of_part()).ok_or(NoPicture::Stopped)?;
         let mut painter = painter()?;
         let mut kept = 0;
         for (done, number) in numbers.clone().enumerate() {
