@@ -9,7 +9,8 @@ use cloudwright_core::arrange::rename;
 use egui::collapsing_header::paint_default_icon;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, Button, EventFilter, Key, Layout, Response, RichText, Role, Sense, TextEdit, Ui, Vec2, WidgetInfo, vec2,
+    Align, AtomExt, Button, EventFilter, Key, Layout, Response, RichText, Role, Sense, TextEdit, Ui, Vec2, WidgetInfo,
+    vec2,
 };
 
 /// What is known of a line besides its words.
@@ -130,7 +131,7 @@ fn button(ui: &mut Ui, item: Item, text: &str, memory: &mut Memory, reading: &Re
         label = label.weak();
     }
     let glyph = RichText::new(icon::of_kind(item.word())).weak();
-    let button = Button::selectable(reading.view.selection.contains(item), (glyph, label));
+    let button = Button::selectable(reading.view.selection.contains(item), (glyph, label.atom_shrink(true))).truncate();
     let response = ui.add(button.sense(Sense::click_and_drag()));
     name_it(ui, &response, text);
     if memory.focus == Some(item) {
