@@ -1,12 +1,10 @@
 //! A scene of many clouds: the outline lays out what is in sight, and every row is reached.
 
-use crate::{Script, Window, start};
-use cloudwright::editor::{Editor, Start};
-use cloudwright_core::formats::scene_file;
+use crate::Window;
+use crate::outline::with_scene;
 use cloudwright_tests::small_scenes::crowd;
 use egui::accesskit::Role;
 use egui::{Event, Modifiers, MouseWheelUnit, TouchPhase, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 
 #[test]
@@ -15,16 +13,7 @@ fn the_outline_lays_out_the_rows_in_sight_and_scrolls_to_all() {
     for index in 0..scene.clouds.len() {
         scene.clouds[index].name = format!("cloud {index:03}");
     }
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("crowd.cloudscene");
-    std::fs::write(&path, scene_file::write(&scene).expect("finite numbers")).expect("writable");
-    let script = Script::default();
-    let start = Start { scene: Some(path), ..start(script.clone(), None) };
-    let harness = Harness::builder()
-        .with_size([1280.0, 1200.0])
-        .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start));
-    let mut window = Window { harness, script };
-    window.settle();
+    let (mut window, _folder) = with_scene(&scene);
     let rows = |window: &Window| -> Vec<String> {
         let all = scene.clouds.iter().map(|cloud| cloud.name.clone());
         all.filter(|name| window.harness.query_by_role_and_label(Role::Button, name).is_some()).collect()

@@ -1,14 +1,12 @@
 //! A timeline of 500 tracks of 50 keys: what is in sight is laid out, and every track is reached.
 
-use crate::{Script, Window, start};
+use crate::Window;
+use crate::outline::with_scene;
 use cloudwright::command::Command;
-use cloudwright::editor::{Editor, Start};
-use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::{KeyValue, Scene, Track, TrackId, TrackKey};
 use cloudwright_tests::small_scenes::crowd;
 use egui::accesskit::Role;
 use egui::vec2;
-use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable;
 use std::time::Instant;
 
@@ -36,16 +34,7 @@ fn tracks() -> Scene {
 #[test]
 #[allow(clippy::print_stdout, reason = "how long it took, for who asks with --nocapture")]
 fn what_is_in_sight_is_laid_out_and_all_is_found() {
-    let folder = tempfile::tempdir().expect("a folder");
-    let path = folder.path().join("tracks.cloudscene");
-    std::fs::write(&path, scene_file::write(&tracks()).expect("finite numbers")).expect("writable");
-    let script = Script::default();
-    let start = Start { scene: Some(path), ..start(script.clone(), None) };
-    let harness = Harness::builder()
-        .with_size([1280.0, 1200.0])
-        .build_eframe(move |creation| Editor::new(&creation.egui_ctx, start));
-    let mut window = Window { harness, script };
-    window.settle();
+    let (mut window, _folder) = with_scene(&tracks());
     window.command(Command::TimelinePanel);
     window.command(Command::FitTimeline);
     let keys = |window: &Window| window.harness.query_all_by_label_contains("key of ").count();
