@@ -65,6 +65,11 @@ impl Gpu {
         adapter::all().iter().map(wgpu::Adapter::get_info).collect()
     }
 
+    /// Whether this machine has an adapter that is more than a program on the CPU.
+    pub fn is_hardware_here() -> bool {
+        adapter::all().iter().any(|adapter| !adapter::is_software(&adapter.get_info()))
+    }
+
     /// wgpu's device.
     pub fn device(&self) -> &wgpu::Device {
         &self.device

@@ -437,7 +437,7 @@ impl eframe::App for Editor {
         self.remember_look(&context);
     }
 
-    fn on_exit(&mut self) {
+    fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
         self.leave();
     }
 }

@@ -29,24 +29,22 @@ pub fn open_window(scene: Option<&Path>, renderer: Option<RendererChoice>) -> Re
     let size = settings.window_size.unwrap_or(DEFAULT_SIZE);
     let renderer = renderer.unwrap_or(settings.renderer);
     let start_page = scene.is_none() && settings.start_page;
-    let options = eframe::NativeOptions {
-        viewport: egui::ViewportBuilder::default()
-            .with_title("Cloudwright")
-            .with_app_id("cloudwright")
-            .with_inner_size([0, 1].map(|i| size[i].clamp(MIN_SIZE[i], MAX_SIZE)))
-            .with_min_inner_size(MIN_SIZE),
-        renderer: eframe::Renderer::Wgpu,
-        wgpu_options: eframe::egui_wgpu::WgpuConfiguration {
-            wgpu_setup: WgpuSetup::CreateNew(device_setup()),
+    let open = |painter| {
+        let options = eframe::NativeOptions {
+            viewport: egui::ViewportBuilder::default()
+                .with_title("Cloudwright")
+                .with_app_id("cloudwright")
+                .with_inner_size([0, 1].map(|i| size[i].clamp(MIN_SIZE[i], MAX_SIZE)))
+                .with_min_inner_size(MIN_SIZE),
+            renderer: painter,
+            wgpu_options: eframe::egui_wgpu::WgpuConfiguration {
+                wgpu_setup: WgpuSetup::CreateNew(device_setup()),
+                ..Default::default()
+            },
             ..Default::default()
-        },
-        ..Default::default()
-    };
-    let scene: Option<PathBuf> = scene.map(Into::into);
-    eframe::run_native(
-        "Cloudwright",
-        options,
-        Box::new(move |creation| {
+        };
+        let (scene, folders) = (scene.map(PathBuf::from), folders.clone());
+        let create: eframe::AppCreator<'_> = Box::new(move |creation| {
             let device = creation.wgpu_render_state.clone();
             let has_folders = folders.is_some();
             let start = Start { scene, start_page, renderer, device, file_dialogs: Box::new(NativeDialogs), folders };
@@ -59,8 +57,29 @@ pub fn open_window(scene: Option<&Path>, renderer: Option<RendererChoice>) -> Re
                 let _ = signals::before_the_end(last_call);
             }
             Ok(Box::new(editor))
+        });
+        eframe::run_native("Cloudwright", options, create)
+    };
+    match painter(renderer) {
+        // Where GL opens no window, a device that is a program may still.
+        eframe::Renderer::Glow => open(eframe::Renderer::Glow).or_else(|error| match error {
+            eframe::Error::Glutin(_) | eframe::Error::NoGlutinConfigs(..) | eframe::Error::OpenGL(_) => {
+                open(eframe::Renderer::Wgpu)
+            }
+            error => Err(error),
         }),
-    )
+        wgpu => open(wgpu),
+    }
+}
+
+/// What paints the window. A device that is a program on the CPU paints many times slower through wgpu than through GL:
+/// of egui-wgpu's shader it runs both ways of filtering a texture at each pixel, though one alone is asked for.
+fn painter(renderer: RendererChoice) -> eframe::Renderer {
+    if renderer == RendererChoice::Gpu || Gpu::is_hardware_here() {
+        eframe::Renderer::Wgpu
+    } else {
+        eframe::Renderer::Glow
+    }
 }
 
 /// What the clouds' renderer needs: eframe's own choice asks for no timestamps.
