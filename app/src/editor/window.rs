@@ -37,6 +37,8 @@ pub fn open_window(scene: Option<&Path>, renderer: Option<RendererChoice>) -> Re
                 .with_inner_size([0, 1].map(|i| size[i].clamp(MIN_SIZE[i], MAX_SIZE)))
                 .with_min_inner_size(MIN_SIZE),
             renderer: painter,
+            // Flat colours, and pictures that are of eight bits already: there are no bands to hide.
+            dithering: false,
             wgpu_options: eframe::egui_wgpu::WgpuConfiguration {
                 wgpu_setup: WgpuSetup::CreateNew(device_setup()),
                 ..Default::default()
