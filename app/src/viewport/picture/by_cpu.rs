@@ -85,8 +85,9 @@ impl ByCpu {
         worker.ask(Request { scene, derived, beside, sight, coarseness, watch });
     }
 
-    pub(super) fn texture(&mut self) -> Option<TextureId> {
-        let answer = self.worker.as_ref().and_then(Latest::newest);
+    /// The newest picture; none is waited for longer than `patience`.
+    pub(super) fn texture(&mut self, patience: Duration) -> Option<TextureId> {
+        let answer = self.worker.as_ref().and_then(|worker| worker.newest_within(patience));
         if let Some(Answer { picture: Some(picture), time, coarseness, overdraw }) = answer {
             self.show(&picture);
             self.last = Some((time, coarseness));
