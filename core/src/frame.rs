@@ -12,7 +12,7 @@ use crate::rules::Rules;
 use crate::scene::Scene;
 use crate::shading::{Veil, veil};
 use crate::sight::Sight;
-use crate::sky::{Background, Dome, GroundLook};
+use crate::sky::{Background, Dome, GroundLook, NightSky};
 use crate::sprites::{Atlas, PlacedCloud};
 use crate::version::Version;
 use crate::weather::SceneNow;
@@ -102,9 +102,13 @@ impl<'a> Frame<'a> {
 /// What stands behind the clouds of a scene `now`, as it is from an `eye`.
 pub(crate) fn background(now: &SceneNow<'_>, eye: DVec3) -> Background {
     let SceneNow { light, ground, .. } = now;
+    let night = light.night.as_ref().map(|night| NightSky::new(night, light.sun_direction, now.sky_gain));
     let albedo = ground.as_ref().map_or(Rgb::grey(0.1), |ground| ground.dark.mix(ground.bright, 0.5));
     Background {
-        dome: Dome::new(light.sun_direction, now.turbidity, albedo, now.sky_gain, light.directional_max),
+        dome: Dome {
+            night,
+            ..Dome::new(light.sun_direction, now.turbidity, albedo, now.sky_gain, light.directional_max)
+        },
         ground: ground.as_ref().and_then(|ground| GroundLook::new(ground, eye, light)),
         haze_length_m: now.haze_length_m,
     }

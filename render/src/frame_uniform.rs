@@ -2,7 +2,7 @@
 
 use cloudwright_core::color::Rgb;
 use cloudwright_core::frame::Frame;
-use cloudwright_core::sky::{GROUND_CELLS_M, GROUND_PERIOD_M, HORIZON_SINE, SUN_DISC_COSINES};
+use cloudwright_core::sky::{GROUND_CELLS_M, GROUND_PERIOD_M, HORIZON_SINE, MOON_RADIUS, SUN_DISC_COSINES};
 use cloudwright_core::{camera, facing};
 
 /// Declares the uniform, and its members' names and offsets for the test that compares them with the shader.
@@ -28,7 +28,7 @@ uniform! {
         width_px: f32,
         forward_in_world: [f32; 3],
         height_px: f32,
-        sun_direction: [f32; 3],
+        light_direction: [f32; 3],
         haze_length_m: f32,
         ambient_max: [f32; 4],
         directional_max: [f32; 3],
@@ -56,6 +56,13 @@ uniform! {
         air_turbulence: f32,
         air_swings: [f32; 3],
         air_humidity: f32,
+        glow_overhead: [f32; 3],
+        stars: f32,
+        glow_at_horizon: [f32; 3],
+        moon: f32,
+        moon_direction: [f32; 3],
+        moon_radius: f32,
+        celestial_from_world: [[f32; 4]; 3],
     }
 }
 
@@ -66,8 +73,10 @@ impl FrameUniform {
         let dome = &background.dome;
         let [red, green, blue] = &dome.parameters;
         let ground = background.ground.as_ref();
-        let air = now.air();
         let radiance = |color: Option<Rgb>| color.unwrap_or(Rgb::BLACK).to_array();
+        let air = now.air();
+        let night = dome.night.as_ref();
+        let glow = |i: usize| radiance(night.map(|night| night.glow[i]));
         Self {
             right_in_world: view.right.to_array(),
             pixel: view.pixel(),
@@ -75,7 +84,7 @@ impl FrameUniform {
             width_px: view.width as f32,
             forward_in_world: view.forward.to_array(),
             height_px: view.height as f32,
-            sun_direction: light.sun_direction.to_array(),
+            light_direction: light.direction.to_array(),
             haze_length_m: background.haze_length_m,
             ambient_max: light.ambient_max.to_array(),
             directional_max: light.directional_max.to_array(),
@@ -103,6 +112,15 @@ impl FrameUniform {
             air_turbulence: air.map_or(0.0, |air| air.turbulence),
             air_swings: air.map_or([0.0; 3], |air| air.swings),
             air_humidity: air.map_or(1.0, |air| air.humidity),
+            glow_overhead: glow(0),
+            stars: night.map_or(0.0, |night| night.stars),
+            glow_at_horizon: glow(1),
+            moon: night.map_or(0.0, |night| night.moon),
+            moon_direction: night.map_or([0.0; 3], |night| night.moon_direction.to_array()),
+            moon_radius: MOON_RADIUS,
+            celestial_from_world: night.map_or([[0.0; 4]; 3], |night| {
+                night.celestial_from_world.to_cols_array_2d().map(|[x, y, z]| [x, y, z, 0.0])
+            }),
         }
     }
 }

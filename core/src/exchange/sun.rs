@@ -1,4 +1,4 @@
-//! The sun as a light of other tools.
+//! The sun, or at night the moon, as a light of other tools.
 
 use crate::weather::SceneNow;
 use glam::{DQuat, DVec3};
@@ -20,7 +20,7 @@ impl Sun {
         Self {
             color: color.map(|part| if most > 0.0 { part / most } else { 1.0 }),
             light: f64::from(most * now.exposure) * std::f64::consts::PI,
-            turn: DQuat::from_rotation_arc(DVec3::NEG_Z, -now.light.sun_direction.as_dvec3().normalize()),
+            turn: DQuat::from_rotation_arc(DVec3::NEG_Z, -now.light.direction.as_dvec3().normalize()),
         }
     }
 }

@@ -133,7 +133,7 @@ pub fn write(
     if let Some(Still { light, .. }) = shaded {
         let light = LightOut {
             time: crate::math::clock(light.time_h),
-            sun_direction: light.sun_direction.to_array().map(shortest_f64),
+            sun_direction: light.direction.to_array().map(shortest_f64),
             ambient_max: light.ambient_max,
             directional_max: light.directional_max,
         };

@@ -21,6 +21,9 @@ const INSIDE_DENSITY: Number = Number::new(
     "",
     "How dense the air inside a cloud looks: 0 for none, 1 as dense as its sprites.",
 );
+const STARS: Number = Number::new("Stars", &(0.0..=100.0), "", "How bright the stars are at night: 1 as they are.");
+const MOON: Number =
+    Number::new("Moon", &(0.0..=100.0), "", "How bright the moon is at night, and its light on clouds: 1 as it is.");
 
 const TUNING_SCALE: Number =
     Number::new("Light", &(0.0..=100.0), "", "Scales this light at all hours: 1 as the day's table says.");
@@ -34,6 +37,8 @@ impl Described for Sky {
         numbers!(gain: number(GAIN).keyed()),
         numbers!(haze_length_m: number(HAZE_LENGTH_M).keyed()),
         numbers!(inside_density: number(INSIDE_DENSITY).keyed()),
+        numbers!(stars: number(STARS).keyed()),
+        numbers!(moon: number(MOON).keyed()),
         numbers!(ambient_tuning.scale: number(TUNING_SCALE.called("Ambient light")).keyed()),
         numbers!(ambient_tuning.tint: color(TUNING_TINT.called("Ambient tint")).keyed()),
         numbers!(directional_tuning.scale: number(TUNING_SCALE.called("Directional light")).keyed()),

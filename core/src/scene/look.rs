@@ -22,8 +22,14 @@ pub struct Sky {
     /// Each step doubles the light.
     pub exposure_ev: f64,
     /// How dense the air inside a cloud looks: 0 for none, 1 as dense as the cloud's sprites.
-    #[serde(default = "as_its_sprites", skip_serializing_if = "is_as_its_sprites")]
+    #[serde(default = "as_it_is", skip_serializing_if = "is_as_it_is")]
     pub inside_density: f64,
+    /// How bright the stars are: 0 for none, 1 as they are.
+    #[serde(default = "as_it_is", skip_serializing_if = "is_as_it_is")]
+    pub stars: f64,
+    /// How bright the moon and its light are: 0 for none, 1 as it is.
+    #[serde(default = "as_it_is", skip_serializing_if = "is_as_it_is")]
+    pub moon: f64,
     /// Scales and tints the ambient light of all hours.
     #[serde(default, skip_serializing_if = "Tuning::is_default")]
     pub ambient_tuning: Tuning,
@@ -59,12 +65,12 @@ impl Tuning {
     }
 }
 
-fn as_its_sprites() -> f64 {
+fn as_it_is() -> f64 {
     1.0
 }
 
-fn is_as_its_sprites(inside_density: &f64) -> bool {
-    *inside_density == as_its_sprites()
+fn is_as_it_is(strength: &f64) -> bool {
+    *strength == as_it_is()
 }
 
 /// A level ground with a landscape's blotches in two colours.
@@ -83,7 +89,7 @@ impl Default for Sky {
     fn default() -> Self {
         Self {
             ambient: DailyTable::new([
-                (0.0, Rgba::new(0.016, 0.021, 0.036, 1.0)),
+                (0.0, Rgba::new(0.030, 0.036, 0.060, 1.0)),
                 (4.4, Rgba::new(0.030, 0.036, 0.060, 1.0)),
                 (5.3, Rgba::new(0.20, 0.20, 0.29, 1.0)),
                 (6.5, Rgba::new(0.40, 0.42, 0.54, 1.0)),
@@ -95,7 +101,7 @@ impl Default for Sky {
                 (22.3, Rgba::new(0.030, 0.036, 0.060, 1.0)),
             ]),
             directional: DailyTable::new([
-                (0.0, Rgb::new(0.010, 0.012, 0.018)),
+                (0.0, Rgb::new(0.050, 0.060, 0.085)),
                 (4.9, Rgb::new(0.010, 0.012, 0.018)),
                 (5.5, Rgb::new(0.85, 0.32, 0.14)),
                 (6.5, Rgb::new(1.02, 0.64, 0.38)),
@@ -110,7 +116,9 @@ impl Default for Sky {
             gain: 1.0,
             haze_length_m: 26_000.0,
             exposure_ev: 0.0,
-            inside_density: as_its_sprites(),
+            inside_density: as_it_is(),
+            stars: as_it_is(),
+            moon: as_it_is(),
             ambient_tuning: Tuning::default(),
             directional_tuning: Tuning::default(),
         }

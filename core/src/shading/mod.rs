@@ -46,7 +46,7 @@ pub fn corner_light(point: Vec3, cloud: &CloudNow<'_>, group: &Group, light: &Li
             a: (level.a * light.ambient_max.a).clamp(0.0, 1.0) * opacity,
         },
         directional: light.directional_max
-            * directional_share(point - group.center, group.c, cloud.direction_at_rest(light.sun_direction)),
+            * directional_share(point - group.center, group.c, cloud.direction_at_rest(light.direction)),
     }
 }
 

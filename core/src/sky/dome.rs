@@ -1,5 +1,6 @@
 //! The sky's dome and the sun's disc.
 
+use super::NightSky;
 use crate::color::Rgb;
 use crate::math::smoothstep;
 use glam::Vec3;
@@ -34,10 +35,12 @@ pub struct Dome {
     pub sun_disc: Rgb,
     /// Where the distribution has its peak: the sun, or the horizon below which it set.
     pub glow_direction: Vec3,
+    /// What the night adds; none by day.
+    pub night: Option<NightSky>,
 }
 
 impl Dome {
-    /// The sky over ground of reflectance `albedo`. `turbidity` and `albedo` are clamped to the model's ranges, 1 to
+    /// The sky, without a night, over ground of reflectance `albedo`. `turbidity` and `albedo` are clamped to the model's ranges, 1 to
     /// 10 and 0 to 1.
     pub fn new(sun_direction: Vec3, turbidity: f32, albedo: Rgb, gain: f32, directional_max: Rgb) -> Self {
         let elevation_deg = libm::asinf(sun_direction.y.clamp(-1.0, 1.0)).to_degrees();
@@ -56,10 +59,12 @@ impl Dome {
             sun_direction,
             sun_disc: directional_max * (SUN_DISC_GAIN * smoothstep(-0.005, 0.005, sun_direction.y)),
             glow_direction: crate::math::unit_or(level, Vec3::Y),
+            night: None,
         }
     }
 
-    /// Radiance of sky and sun in a unit `direction`. Below the horizon it stays what it is there.
+    /// Radiance of sky and sun in a unit `direction`, without what lights the night holds. Below the horizon it stays what it
+    /// is there.
     pub fn radiance(&self, direction: Vec3) -> Rgb {
         let disc = smoothstep(SUN_DISC_COSINES[0], SUN_DISC_COSINES[1], cosine_between(direction, self.sun_direction));
         self.sky(direction) + self.sun_disc * disc
@@ -84,7 +89,13 @@ impl Dome {
             let p = &self.parameters[c];
             around_zenith(p, cos_theta) * (around_sun(p, gamma, cos_gamma) + p[7] * cos_theta.sqrt())
         };
-        self.scale * glow_kept(cos_gamma) * Rgb::new(channel(0), channel(1), channel(2))
+        let day = self.scale * glow_kept(cos_gamma) * Rgb::new(channel(0), channel(1), channel(2));
+        self.with_night(day, cos_theta)
+    }
+
+    /// The air's own glow joins the day's.
+    fn with_night(&self, day: Rgb, cos_theta: f32) -> Rgb {
+        self.night.map_or(day, |night| day + night.glow(cos_theta))
     }
 
     /// Cosines of the angles from the zenith and from the sun, for a direction lifted to the horizon.
@@ -154,10 +165,11 @@ fn grade(elevation_deg: f32) -> Rgb {
     }
 }
 
-/// What is left of the last sky when the sun is lower: half at sunset, a hundredth by the end of civil twilight (−6°),
-/// ever bluer, down to a night's glow.
+/// What is left of the last sky when the sun is lower: half at sunset, a twelfth by the end of civil twilight (−6°), ever
+/// bluer, until the night's own glow outshines it at some −12°. In truth it falls far faster, and an eye that grows used to the
+/// dark with it; an artist's tables fall as this does.
 fn twilight(elevation_deg: f32) -> Rgb {
-    let light = libm::expf(0.28 * (elevation_deg - LOWEST_DEG).min(0.0) + 0.4 * elevation_deg.min(0.0)).max(0.003);
+    let light = libm::expf(0.28 * (elevation_deg - LOWEST_DEG).min(0.0) + 0.02 * elevation_deg.min(0.0));
     let blue = smoothstep(0.0, 8.0, -elevation_deg);
     Rgb::grey(1.0).mix(Rgb::new(0.50, 0.72, 1.15), blue) * light
 }
@@ -224,7 +236,8 @@ impl DomeTables {
         let (from, to) = (&self.elevation[i], &self.elevation[i + 1]);
         let (j, s) = split(acos_near(cos_gamma) * std::f32::consts::FRAC_1_PI);
         let sun = self.sun_angle[j].mix(self.sun_angle[j + 1], s);
-        from[0].mix(to[0], t) * glow_kept(cos_gamma) * (sun + from[1].mix(to[1], t))
+        let day = from[0].mix(to[0], t) * glow_kept(cos_gamma) * (sun + from[1].mix(to[1], t));
+        self.dome.with_night(day, cos_theta)
     }
 }
 

@@ -30,8 +30,8 @@ impl GroundLook {
     pub fn new(ground: &Ground, eye: DVec3, light: &Light) -> Option<Self> {
         let eye_height = (eye.y - ground.altitude_m) as f32;
         let in_pattern = |x: f64| x.rem_euclid(GROUND_PERIOD_M) as f32;
-        // A level face gets the whole sky's ambient and the sun by the sine of its elevation.
-        let lit = light.ambient_max.rgb * 0.75 + light.directional_max * (1.4 * light.sun_direction.y.max(0.0));
+        // A level face gets the whole sky's ambient, and sun or moon by the sine of its elevation.
+        let lit = light.ambient_max.rgb * 0.75 + light.directional_max * (1.4 * light.direction.y.max(0.0));
         (eye_height > 0.0).then(|| Self {
             eye_height,
             eye_in_pattern: [in_pattern(eye.x), in_pattern(eye.z)],
@@ -98,7 +98,7 @@ fn lattice_noise(x: f32, z: f32, octave: u32) -> f32 {
 
 /// 0 to 1 from three numbers (the mixing steps of O'Neill's PCG-RXS-M-XS, 2014).
 #[inline(always)]
-fn hash(x: u32, z: u32, octave: u32) -> f32 {
+pub(super) fn hash(x: u32, z: u32, octave: u32) -> f32 {
     let key = x.wrapping_mul(73_856_093) ^ z.wrapping_mul(19_349_663) ^ octave.wrapping_mul(83_492_791);
     let state = key.wrapping_mul(747_796_405).wrapping_add(2_891_336_453);
     let word = ((state >> ((state >> 28) + 4)) ^ state).wrapping_mul(277_803_737);

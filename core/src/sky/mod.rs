@@ -1,16 +1,19 @@
-//! What stands behind the clouds: sky, sun, ground, and the haze between.
+//! What stands behind the clouds: sky, sun, moon and stars, ground, and the haze between.
 //!
 //! The sky is Hosek and Wilkie's (*An Analytic Model for Full Spectral Sky-Dome Radiance*, SIGGRAPH 2012); crate
 //! hw-skymodel supplies its coefficients. Low suns are graded, and below its range the last sky is dimmed and cooled
 //! (dome.rs says why).
-//! The twins in WGSL are render/src/pass/sky/sky.wgsl and render/src/shader/dome.wgsl.
+//! The twins in WGSL are those in render/src/pass/sky/ and render/src/shader/dome.wgsl.
 
 mod dome;
 mod ground;
+mod night;
 mod rows;
+mod stars;
 
 pub use dome::{Dome, DomeTables, GLOW_FROM_COSINE, GLOW_KEPT, HAZE_GLOW_COSINE, HORIZON_SINE, SUN_DISC_COSINES};
 pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook};
+pub use night::{MOON_RADIUS, NightSky};
 pub use rows::BackgroundRows;
 
 use crate::color::Rgb;
@@ -43,7 +46,8 @@ impl Background {
     pub fn color(&self, ray: Vec3, footprint: f32) -> Rgb {
         let direction = ray.normalize();
         let Some((ground, distance)) = self.ground.as_ref().and_then(|g| Some((g, g.distance(direction)?))) else {
-            return self.dome.radiance(direction);
+            let lights = self.dome.night.map(|night| night.lights(direction, footprint));
+            return self.dome.radiance(direction) + lights.unwrap_or(Rgb::BLACK);
         };
         let color = ground.color(direction * distance, ground.pixel_m(direction, distance, footprint));
         color.mix(self.dome.horizon(direction), haze_share(distance, self.haze_length_m))

@@ -1,10 +1,11 @@
 //! The background for a whole picture on the CPU.
 //!
 //! The sky changes slowly, so it is evaluated at nodes up to 1.7° apart and interpolated between; near the sun
-//! and across the horizon at every pixel. The ground's noise runs over a row at a time in loops without branches.
+//! and moon, and across the horizon, at every pixel. Stars are found once a view and added where they are. The ground's noise runs over a row at a time in loops without branches.
 //! [`Background::color`] is the oracle.
 
 use super::dome::{DomeTables, HORIZON_SINE};
+use super::stars::{STARS, Spot, Star};
 use super::{Background, GroundLook, haze_share};
 use crate::camera::View;
 use crate::color::Rgb;
@@ -21,6 +22,8 @@ const COARSEST_STEP: f32 = 0.03;
 const STEEP_SINE: f32 = -0.95;
 /// Within this angle of the sun, radians, its glow has a point.
 const SUN_GLOW: f32 = 0.06;
+/// And within this of the moon.
+const MOON_GLOW: f32 = 0.2;
 
 /// [`Background`] for the pixels of one view.
 #[derive(Debug, Clone)]
@@ -28,12 +31,29 @@ pub struct BackgroundRows<'a> {
     background: &'a Background,
     dome: DomeTables,
     view: View,
+    /// The stars that show in each [`MOST`] rows of the picture.
+    stars: Vec<Vec<InPicture>>,
+}
+
+/// A star and the pixels within which its spot lies, the ends too.
+#[derive(Debug, Clone, Copy)]
+struct InPicture {
+    star: Star,
+    columns: [f32; 2],
+    rows: [f32; 2],
 }
 
 impl<'a> BackgroundRows<'a> {
     /// For one view.
     pub fn new(background: &'a Background, view: &View) -> Self {
-        Self { background, dome: DomeTables::new(&background.dome), view: *view }
+        let mut stars = vec![Vec::new(); view.height.div_ceil(MOST as u32) as usize];
+        for star in stars_in_picture(background, view) {
+            let band = |row: f32| row as usize / MOST;
+            for stars in stars.iter_mut().take(band(star.rows[1]) + 1).skip(band(star.rows[0])) {
+                stars.push(star);
+            }
+        }
+        Self { background, dome: DomeTables::new(&background.dome), view: *view, stars }
     }
 
     /// What lies behind the clouds at the centres of `count` pixels (at most 32) from (`left`, `y`) to the right,
@@ -50,6 +70,24 @@ impl<'a> BackgroundRows<'a> {
             _ if lowest < HORIZON_SINE => self.exact(&direction, count, out),
             _ => self.sky(&direction, count, out),
         }
+        self.add_stars(left, y, count, out);
+    }
+
+    fn add_stars(&self, left: u32, y: u32, count: usize, out: &mut Planes<MOST>) {
+        let Some(night) = self.background.dome.night else { return };
+        let (row, first, last) = (y as f32, left as f32, left as f32 + count as f32 - 1.0);
+        for InPicture { star, columns, rows } in self.stars.get(y as usize / MOST).into_iter().flatten() {
+            if row < rows[0] || row > rows[1] {
+                continue;
+            }
+            let (mut x, end) = (columns[0].max(first), columns[1].min(last));
+            while x <= end {
+                let direction = self.view.ray(x + 0.5, row + 0.5).normalize();
+                let light = night.star(star, direction, self.view.pixel()).to_array();
+                out.iter_mut().zip(light).for_each(|(plane, channel)| plane[x as usize - left as usize] += channel);
+                x += 1.0;
+            }
+        }
     }
 
     /// Whether the ground lies at the centre of pixel (`x`, `y`).
@@ -64,7 +102,7 @@ impl<'a> BackgroundRows<'a> {
             let direction = direction(x);
             let ground = self.background.ground.as_ref();
             let color = match ground.and_then(|ground| Some((ground, ground.distance(direction)?))) {
-                None => self.dome.radiance(direction),
+                None => self.above(direction),
                 Some((ground, distance)) => {
                     let pixel_m = ground.pixel_m(direction, distance, self.view.pixel());
                     let color = ground.color(direction * distance, pixel_m);
@@ -78,10 +116,22 @@ impl<'a> BackgroundRows<'a> {
     }
 
     fn sky(&self, direction: &impl Fn(usize) -> Vec3, count: usize, out: &mut Planes<MOST>) {
-        if self.is_near_sun(direction(count / 2)) {
+        if self.is_near_sun(direction(count / 2)) || self.is_near_moon(direction(count / 2)) {
             return self.exact(direction, count, out);
         }
-        between_nodes(out, |x| self.dome.radiance(direction(x)));
+        between_nodes(out, |x| self.above(direction(x)));
+    }
+
+    /// The sky, sun and moon.
+    fn above(&self, direction: Vec3) -> Rgb {
+        let sky = self.dome.radiance(direction);
+        self.background.dome.night.map_or(sky, |night| sky + night.moon(direction, self.view.pixel()))
+    }
+
+    fn is_near_moon(&self, middle: Vec3) -> bool {
+        let closest = MOST as f32 * self.view.pixel() + MOON_GLOW;
+        let moon = self.background.dome.night.filter(|night| night.moon > 0.0);
+        moon.is_some_and(|night| middle.distance(night.moon_direction) < closest)
     }
 
     /// Whether a row of pixels around `middle` may hold the sun, or the sky's peak, where it set.
@@ -131,6 +181,26 @@ impl<'a> BackgroundRows<'a> {
             }
         }
     }
+}
+
+/// Those whose spots may lie within a view.
+fn stars_in_picture(background: &Background, view: &View) -> Vec<InPicture> {
+    let Some(night) = background.dome.night.filter(|night| night.stars > 0.0) else { return Vec::new() };
+    let (width, height, pixel) = (view.width as f32, view.height as f32, view.pixel());
+    let world_from_celestial = night.celestial_from_world.transpose();
+    let place = |star: &Star| {
+        let direction = world_from_celestial * star.direction;
+        let depth = direction.dot(view.forward);
+        // At an angle from the middle whose cosine is the depth, a spot is 1/depth² as wide.
+        let reach = Spot::new(pixel).radius / (pixel * depth * depth) * 1.1 + 1.0;
+        let x = 0.5 * width + direction.dot(view.right) / (depth * pixel);
+        let y = 0.5 * height - direction.dot(view.up) / (depth * pixel);
+        let within = depth > 0.05 && x > -reach && x < width + reach && y > -reach && y < height + reach;
+        let span = |at: f32, end: f32| [(at - reach).floor().max(0.0), (at + reach).ceil().min(end - 1.0)];
+        let up = direction.y > -2.0 * Spot::new(pixel).radius;
+        (within && up).then(|| InPicture { star: *star, columns: span(x, width), rows: span(y, height) })
+    };
+    STARS.iter().filter_map(place).collect()
 }
 
 /// `value` at every [`STEP`]-th place and linear between.

@@ -5,6 +5,7 @@
 //! moment: any instant, in any order, and nothing of it touches the document, or what is derived on the edit clock.
 
 mod air;
+mod celestial;
 mod cloud_now;
 mod course;
 mod curve;
@@ -21,11 +22,12 @@ mod wind;
 
 pub(crate) use air::SWINGS_S;
 pub use air::{AirNow, CONDENSING, SWAY, sine};
+pub use celestial::{celestial_from_world, moon_direction};
 pub use cloud_now::{CloudNow, InAir, Look, REACH, Turn};
 pub use course::clouds_now;
 pub use curve::Curve;
 pub use formation::{Formed, FormingRule, Stepped};
-pub use light::{Light, sun_direction};
+pub use light::{Light, Night, sun_direction};
 pub use moment::Moment;
 pub use scene_now::SceneNow;
 pub use streaming::{SteppedStreaming, StreamingRule, WeatherRules};

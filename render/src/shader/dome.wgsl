@@ -45,7 +45,14 @@ fn cosine_to_glow(direction: vec3f) -> f32 {
 
 fn distribution(cos_theta: f32, cos_gamma: f32) -> vec3f {
     let i_term = frame.dome_parameters[7].rgb * sqrt(cos_theta);
-    return frame.dome_scale * glow_kept(cos_gamma) * (around_zenith(cos_theta) * (around_sun(cos_gamma) + i_term));
+    let day = frame.dome_scale * glow_kept(cos_gamma) * (around_zenith(cos_theta) * (around_sun(cos_gamma) + i_term));
+    return day + night_glow(cos_theta);
+}
+
+// The air's own glow at the sine of an elevation.
+fn night_glow(up: f32) -> vec3f {
+    let low = (1.0 - up) * (1.0 - up);
+    return mix(frame.glow_overhead, frame.glow_at_horizon, low * low);
 }
 
 // Radiance of sky and sun in a unit direction. The cosine to the sun is 1 − |d − s|²/2: the plain dot product of

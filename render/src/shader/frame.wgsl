@@ -8,7 +8,8 @@ struct Frame {
     width_px: f32,
     forward_in_world: vec3f,
     height_px: f32,
-    sun_direction: vec3f,
+    // To what the directional light comes from: the sun, or at night the moon.
+    light_direction: vec3f,
     haze_length_m: f32,
     ambient_max: vec4f,
     directional_max: vec3f,
@@ -41,6 +42,14 @@ struct Frame {
     air_turbulence: f32,
     air_swings: vec3f,
     air_humidity: f32,
+    // The night's (core/src/sky/night.rs); all 0 by day.
+    glow_overhead: vec3f,
+    stars: f32,
+    glow_at_horizon: vec3f,
+    moon: f32,
+    moon_direction: vec3f,
+    moon_radius: f32,
+    celestial_from_world: array<vec4f, 3>,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

@@ -7,9 +7,10 @@ const MATH: &str = include_str!("math.wgsl");
 const DOME: &str = include_str!("dome.wgsl");
 const FULL_SCREEN: &str = include_str!("full_screen.wgsl");
 
-/// Sky, sun, ground and haze.
+/// Sky, sun, moon, stars, ground and haze.
 pub fn sky() -> String {
-    [FRAME, MATH, DOME, FULL_SCREEN, include_str!("../pass/sky/sky.wgsl")].join("\n")
+    let night = include_str!("../pass/sky/night.wgsl");
+    [FRAME, MATH, DOME, FULL_SCREEN, night, include_str!("../pass/sky/sky.wgsl")].join("\n")
 }
 
 /// The sprites.

@@ -62,7 +62,7 @@ pub(super) fn scene() -> Scene {
 /// The sun rises at a quarter to seven: an hour and a half later than in the midsummer of the default tables.
 fn september_sun() -> DailyTable<Rgb> {
     DailyTable::new([
-        (0.0, Rgb::new(0.010, 0.012, 0.018)),
+        (0.0, Rgb::new(0.050, 0.060, 0.085)),
         (6.3, Rgb::new(0.010, 0.012, 0.018)),
         (6.9, Rgb::new(0.88, 0.34, 0.15)),
         (7.8, Rgb::new(1.14, 0.68, 0.38)),
@@ -78,7 +78,7 @@ fn september_sun() -> DailyTable<Rgb> {
 /// The sky's light of the same days.
 fn september_ambient() -> DailyTable<Rgba> {
     DailyTable::new([
-        (0.0, Rgba::new(0.016, 0.021, 0.036, 1.0)),
+        (0.0, Rgba::new(0.030, 0.036, 0.060, 1.0)),
         (5.8, Rgba::new(0.030, 0.036, 0.060, 1.0)),
         (6.7, Rgba::new(0.20, 0.20, 0.29, 1.0)),
         (7.8, Rgba::new(0.39, 0.42, 0.54, 1.0)),

@@ -89,6 +89,8 @@ pub fn cases() -> Vec<Case> {
         background("background_dusk_with_sun", &noon, 20.9),
         background("background_night", &noon, 1.0),
         suns_disc(&noon),
+        stars(&noon),
+        moons_disc(&noon),
         Case { name: "without_haze", hidden: Hidden { haze: true, ..Hidden::default() }, ..steps_and_far_haze(&noon) },
         Case {
             hidden: Hidden { haze: true, ground: true, ..Hidden::default() },
@@ -221,6 +223,24 @@ fn suns_disc(noon: &Case) -> Case {
     let mut case = background("background_suns_disc", noon, 14.0);
     case.camera.field_of_view_deg = 1.0;
     case.camera.pitch_deg += 20.0;
+    case
+}
+
+/// A dozen degrees of a night's sky.
+fn stars(noon: &Case) -> Case {
+    let mut case = background("background_stars", noon, 1.0);
+    (case.camera.heading_deg, case.camera.pitch_deg, case.camera.field_of_view_deg) = (200.0, 50.0, 12.0);
+    case
+}
+
+/// A gibbous moon fills a tenth of the picture.
+fn moons_disc(noon: &Case) -> Case {
+    let mut case = background("background_moons_disc", noon, 23.0);
+    case.scene.site.date = cloudwright_core::scene::Date { year: 2004, month: 6, day: 29 };
+    let light = cloudwright_core::weather::Light::at(&case.scene, case.time_h);
+    let to_moon = light.night.map_or(DVec3::NEG_Z, |night| night.moon_direction.as_dvec3());
+    case.camera.heading_deg = to_moon.x.atan2(-to_moon.z).to_degrees();
+    (case.camera.pitch_deg, case.camera.field_of_view_deg) = (to_moon.y.asin().to_degrees(), 1.2);
     case
 }
 

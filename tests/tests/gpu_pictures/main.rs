@@ -15,6 +15,7 @@ use cloudwright_core::raster::plain;
 use cloudwright_core::scene::Weather;
 use cloudwright_core::shading::Veil;
 use cloudwright_core::sight::Sight;
+use cloudwright_core::sky::{MOON_RADIUS, NightSky};
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::weather::Moment;
 use cloudwright_render::{AdapterChoice, Gpu, GpuRenderer, RenderError};
@@ -102,7 +103,8 @@ fn background(gpu: &Gpu, renderer: &mut GpuRenderer, case: &Case) -> Outcome {
         for (i, (want, got)) in want.pixels.iter().zip(&got.pixels).enumerate() {
             let disc = if on_the_discs_edge(frame, i) { DISC_EDGE } else { 0.0 };
             let disc = frame.background.dome.sun_disc * disc;
-            let Rgb { r, g, b } = *want * BACKGROUND + disc + Rgb::grey(1e-6);
+            let night = Rgb::grey(night_edge(frame, i));
+            let Rgb { r, g, b } = *want * BACKGROUND + disc + night + Rgb::grey(1e-6);
             let close = (want.r - got.r).abs() <= r && (want.g - got.g).abs() <= g && (want.b - got.b).abs() <= b;
             ensure(close, &format!("pixel {:?}: {got:?} for {want:?}", place(frame, i)))?;
         }
@@ -117,7 +119,7 @@ fn picture(gpu: &Gpu, renderer: &mut GpuRenderer, case: &Case) -> Outcome {
         let mut more_than_one = 0;
         for (i, (want, got)) in want.pixels.iter().zip(&got.pixels).enumerate() {
             let steps = (0..4).map(|c| want[c].abs_diff(got[c])).max().unwrap_or(0);
-            if on_the_discs_edge(frame, i) {
+            if on_the_discs_edge(frame, i) || night_edge(frame, i) > 0.0 {
                 continue;
             }
             more_than_one += usize::from(steps > 1);
@@ -135,6 +137,23 @@ fn on_the_discs_edge(frame: &Frame<'_>, i: usize) -> bool {
     let [x, y] = place(frame, i);
     let ray = frame.view.ray(x as f32 + 0.5, y as f32 + 0.5).normalize();
     (0.999_985..0.999_993).contains(&ray.dot(frame.background.dome.sun_direction))
+}
+
+/// By how much radiance the night's lights may differ in a pixel. Directions are rounded to some 3·10⁻⁷. On a star's spot, whose
+/// slope is at most twice its peak over its radius, that is 2·10⁻⁴ of the brightest star's peak in pixels as fine as the cases'.
+/// At the moon's limb what is lit follows from the root of nearly nothing, which loses half of the bits.
+fn night_edge(frame: &Frame<'_>, i: usize) -> f32 {
+    let Some(night) = frame.background.dome.night else { return 0.0 };
+    let ([x, y], pixel) = (place(frame, i), frame.view.pixel());
+    let ray = frame.view.ray(x as f32 + 0.5, y as f32 + 0.5).normalize();
+    let from_moon = (ray - night.moon_direction).length();
+    if night.moon > 0.0 && (from_moon - MOON_RADIUS).abs() < 0.05 * MOON_RADIUS + pixel {
+        return 0.06 * night.moon;
+    }
+    let starless = NightSky { stars: 0.0, ..night };
+    let starry = night.lights(ray, pixel) != starless.lights(ray, pixel);
+    let brightest_peak = night.stars * 1000.0 * 0.37 / (pixel * pixel);
+    if starry { 2e-4 * brightest_peak } else { 0.0 }
 }
 
 fn place(frame: &Frame<'_>, i: usize) -> [u32; 2] {

@@ -39,7 +39,7 @@ pub(super) fn scene(leaving: &Leaving<'_>, now: &SceneNow<'_>, volumes: &[Volume
     root.push(plugin("integrator", "volpath", [value("integer", "max_depth", 400), value("integer", "rr_depth", 60)]));
     root.children.extend(camera(leaving, origin).map(Node::Element));
     let exposed = |color: Rgb| color * now.exposure;
-    let direction = -now.light.sun_direction;
+    let direction = -now.light.direction;
     root.push(plugin(
         "emitter",
         "directional",

@@ -89,7 +89,7 @@ fn row(leaving: &Leaving<'_>, moment: Moment) -> Row {
     let (light, dome) = (&now.light, &behind.dome);
     let mut row = Vec::with_capacity(NUMBERS);
     row.push(light.time_h.rem_euclid(24.0) as f32);
-    row.extend(light.sun_direction.to_array());
+    row.extend(light.direction.to_array());
     row.extend(light.ambient_max.to_array());
     row.extend(light.directional_max.to_array());
     row.extend((0..9).flat_map(|i| dome.parameters.map(|channel| channel[i])));

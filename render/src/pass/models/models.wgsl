@@ -26,7 +26,7 @@ fn place_vertex(
 @fragment
 fn draw_model(in: Corner, @builtin(front_facing) outside: bool) -> @location(0) vec4f {
     let normal = unit_or(select(-in.normal, in.normal, outside), vec3f(0.0, 1.0, 0.0));
-    let sun = frame.directional_max * max(dot(normal, frame.sun_direction), 0.0);
+    let sun = frame.directional_max * max(dot(normal, frame.light_direction), 0.0);
     let sky = frame.ambient_max.rgb * mix(GROUND_SHARE, 1.0, 0.5 + 0.5 * normal.y);
     let hazed = haze_share(length(in.from_eye));
     return vec4f(mix(in.color * (sun + sky), horizon_radiance(in.from_eye), hazed), 1.0);

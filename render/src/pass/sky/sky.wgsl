@@ -1,10 +1,13 @@
-// What stands behind the clouds: sky, sun, ground and the haze between. The twin of core/src/sky/.
+// What stands behind the clouds: sky, sun, moon and stars, ground and the haze between. The twin of core/src/sky/.
 
 @fragment
 fn draw_background(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let direction = normalize(ray_through(position.xy));
     if !(frame.ground_eye_height_m > 0.0 && direction.y < -1e-5) {
-        return vec4f(dome_radiance(direction), 1.0);
+        if frame.moon + frame.stars <= 0.0 {
+            return vec4f(dome_radiance(direction), 1.0);
+        }
+        return vec4f(dome_radiance(direction) + night_lights(direction), 1.0);
     }
     let distance_m = -frame.ground_eye_height_m / direction.y;
     let pixel_m = distance_m * frame.pixel / max(abs(direction.y), 1e-6);

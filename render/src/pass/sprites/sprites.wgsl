@@ -200,7 +200,7 @@ fn sine(turns: f32) -> f32 {
 // The light at a point that counts from the cloud's origin and is at rest: linear rgb, straight; alpha, as far as the cloud has formed.
 fn corner_light(point: vec3f, cloud: Cloud, moment: Moment, group: Group) -> vec4f {
     let level = level_color(cloud, height_within(cloud, point.y));
-    let sun_direction = at_rest(frame.sun_direction, moment);
+    let sun_direction = at_rest(frame.light_direction, moment);
     let directional = frame.directional_max * directional_share(point - group.center, group.c, sun_direction);
     let rgb = level.rgb * frame.ambient_max.rgb + directional;
     let radii = distance(point, cloud.center) * cloud.inverse_radius;

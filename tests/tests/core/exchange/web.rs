@@ -148,7 +148,7 @@ fn light_is_that_of_the_hour() {
     for (at, row) in rows.chunks(length as usize).enumerate() {
         let hour = at as f64 / 10.0;
         let light = Light::at(&scene, hour);
-        assert_eq!((row[0], &row[1..4]), (hour as f32, &light.sun_direction.to_array()[..]));
+        assert_eq!((row[0], &row[1..4]), (hour as f32, &light.direction.to_array()[..]));
         assert_eq!(row[4..8], light.ambient_max.to_array(), "at {hour}");
     }
     assert_eq!(page.floats("light_by_clock").len() as u64, length + 1, "no clock moves it");
