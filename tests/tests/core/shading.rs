@@ -90,7 +90,7 @@ fn every_corner_of_a_cloud_is_lit_by_both_lights() {
                 assert!((lit.ambient.rgb.g - level.rgb.g * light.ambient_max.rgb.g).abs() < 1e-6);
                 assert!(lit.color().rgb.g >= lit.ambient.rgb.g - 1e-6 && lit.color().a <= 1.0);
             }
-            assert!(brightest > 0.5 * light.directional_max.g, "some corner faces the sun: {brightest}");
+            assert!(brightest >= 0.5 * light.directional_max.g, "some corner faces the light: {brightest}");
         }
     }
 }
