@@ -10,7 +10,6 @@ pub use in_order::InOrder;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
-use std::time::Duration;
 
 /// A thread that answers the latest of its requests. Ends when dropped, after the work in hand.
 #[derive(Debug)]
@@ -96,11 +95,6 @@ impl<Request: Send + 'static, Answer: Send + 'static> Latest<Request, Answer> {
     /// The newest answer since the last call.
     pub fn newest(&self) -> Option<Answer> {
         self.answers.try_iter().last()
-    }
-
-    /// The newest answer since the last call, or the first that comes while `patience` lasts.
-    pub(crate) fn newest_within(&self, patience: Duration) -> Option<Answer> {
-        self.newest().or_else(|| self.answers.recv_timeout(patience).ok())
     }
 }
 

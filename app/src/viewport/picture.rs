@@ -47,8 +47,6 @@ pub(super) struct PictureSource {
     asked: Option<Key>,
     /// Of a picture's pixels, the side in the viewport's pixels.
     coarseness: u32,
-    /// What was asked for in this frame comes soon.
-    is_soon: bool,
 }
 
 impl PictureSource {
@@ -59,7 +57,7 @@ impl PictureSource {
             RendererChoice::Gpu => device.and_then(ByGpu::new),
         };
         let context = context.clone();
-        Self { context, gpu: gpu.map(Box::new), cpu: None, trouble: None, asked: None, coarseness: 1, is_soon: false }
+        Self { context, gpu: gpu.map(Box::new), cpu: None, trouble: None, asked: None, coarseness: 1 }
     }
 
     /// What draws unless a method is chosen.
@@ -117,7 +115,6 @@ impl PictureSource {
         self.coarseness = self.coarseness.max(width.max(height).div_ceil(most));
         sight.size = sight.size.map(|side| side.div_ceil(self.coarseness).max(1));
         let key = Key { revision: session.revision(), sight };
-        self.is_soon = false;
         if self.asked.as_ref() == Some(&key) {
             return;
         }
@@ -134,17 +131,14 @@ impl PictureSource {
             None => {
                 let cpu = self.cpu.get_or_insert_with(|| ByCpu::new(&self.context));
                 cpu.ask(session, &key.sight, self.coarseness);
-                self.is_soon = quick && last.is_some_and(|last| expected(last, self.coarseness) <= QUICK);
             }
         }
         self.asked = Some(key);
     }
 
-    /// The newest picture. During a gesture a quick one is waited for: a window painted without it would be painted twice,
-    /// on the cores that draw it.
+    /// The newest picture.
     pub(super) fn texture(&mut self) -> Option<TextureId> {
-        let patience = if std::mem::take(&mut self.is_soon) { QUICK } else { Duration::ZERO };
-        let by_cpu = self.cpu.as_mut().and_then(|cpu| cpu.texture(patience));
+        let by_cpu = self.cpu.as_mut().and_then(ByCpu::texture);
         // The device's last one stands in until the CPU has one.
         by_cpu.or_else(|| self.gpu.as_ref().and_then(|gpu| gpu.texture()))
     }
@@ -163,13 +157,9 @@ fn coarseness(rasterizer: Rasterizer, so_far: u32, last: Option<(Duration, u32)>
     if rasterizer == Rasterizer::Truth {
         return COARSEST;
     }
-    let Some(last) = last else { return so_far };
-    [1, 2].into_iter().find(|&side| side >= so_far && expected(last, side) <= QUICK).unwrap_or(COARSEST)
-}
-
-/// What a picture so coarse will take, from the time of one and how coarse that was.
-fn expected((time, drawn_at): (Duration, u32), coarseness: u32) -> Duration {
-    time.mul_f32((drawn_at as f32 / coarseness as f32).powi(2))
+    let Some((time, drawn_at)) = last else { return so_far };
+    let is_quick = |side: u32| time.mul_f32((drawn_at as f32 / side as f32).powi(2)) <= QUICK;
+    [1, 2].into_iter().find(|&side| side >= so_far && is_quick(side)).unwrap_or(COARSEST)
 }
 
 #[cfg(test)]

@@ -85,9 +85,8 @@ impl ByCpu {
         worker.ask(Request { scene, derived, beside, sight, coarseness, watch });
     }
 
-    /// The newest picture; none is waited for longer than `patience`.
-    pub(super) fn texture(&mut self, patience: Duration) -> Option<TextureId> {
-        let answer = self.worker.as_ref().and_then(|worker| worker.newest_within(patience));
+    pub(super) fn texture(&mut self) -> Option<TextureId> {
+        let answer = self.worker.as_ref().and_then(Latest::newest);
         if let Some(Answer { picture: Some(picture), time, coarseness, overdraw }) = answer {
             self.show(&picture);
             self.last = Some((time, coarseness));
