@@ -31,7 +31,11 @@ impl Change {
 
     /// Whether anything that is computed on the edit clock changed.
     pub fn touches_derived(&self) -> bool {
-        self.touches_ground() || self.touches_models() || self.touches_clouds() || self.touches_weather()
+        self.touches_ground()
+            || self.touches_models()
+            || self.touches_clouds()
+            || self.touches_folders()
+            || self.touches_weather()
     }
 
     /// Whether what moves with the clock changed: the air, or a track.
@@ -72,6 +76,11 @@ impl Change {
     /// Whether any cloud changed.
     pub fn touches_clouds(&self) -> bool {
         self.everything || self.things.iter().any(|thing| matches!(thing, Thing::Cloud(_)))
+    }
+
+    /// Whether any folder changed, by which clouds are hidden.
+    pub fn touches_folders(&self) -> bool {
+        self.everything || self.things.iter().any(|thing| matches!(thing, Thing::Folder(_)))
     }
 
     /// Whether any model changed.

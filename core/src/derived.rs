@@ -86,7 +86,7 @@ impl Derived {
         derived
     }
 
-    /// The clouds, in the scene's order; a cloud whose model is missing has no sprites to show and is left out.
+    /// The clouds, in the scene's order. Those of hidden folders are left out, and so are those whose model is missing.
     pub fn clouds(&self) -> &[PlacedCloud] {
         &self.clouds
     }

@@ -178,6 +178,10 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
                 let models = self.reading.session.scene().models.iter();
                 self.choice(ui, row, label, models.map(|each| (Value::Whole(each.id.0), each.name.clone())).collect());
             }
+            Kind::Folder => {
+                let folders = self.reading.session.scene().folders.iter();
+                self.choice(ui, row, label, folders.map(|each| (Value::Whole(each.id.0), each.name.clone())).collect());
+            }
             Kind::Path => {
                 let paths = self.reading.session.scene().paths.iter();
                 self.choice(ui, row, label, paths.map(|each| (Value::Whole(each.id.0), each.name.clone())).collect());

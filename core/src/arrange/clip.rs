@@ -1,6 +1,6 @@
 //! What is copied to be pasted: a part of a scene that stands by itself, in this scene, another one, or none.
 //!
-//! Clouds are with their models, aircraft with their paths, and all with its tracks. How it is put into a scene again is
+//! Clouds are with their models and folders, aircraft with their paths, and all with its tracks. How it is put into a scene again is
 //! [`transfer`]'s; how it is written as text, [`crate::formats::scene_clip`]'s.
 
 use super::copied::Copied;
@@ -102,8 +102,12 @@ pub fn pasted(scene: &Scene, clip: &Clip, model: Option<ModelId>) -> Result<Arra
 /// All but what is there for others' sake.
 fn pasted_for_themselves(clip: &Scene) -> Vec<Thing> {
     let mut things = all(clip);
-    let on = |thing: &Thing| thing.listed(clip).and_then(InScene::hangs_on).map(|(_, on)| on);
-    let needed: BTreeSet<Thing> = things.iter().filter_map(on).collect();
+    let on = |thing: &Thing| {
+        let value = thing.listed(clip);
+        let named = [value.and_then(InScene::hangs_on), value.and_then(InScene::kept_in)];
+        named.into_iter().flatten().map(|(_, on)| on)
+    };
+    let needed: BTreeSet<Thing> = things.iter().flat_map(on).collect();
     things.retain(|thing| !needed.contains(thing));
     things
 }

@@ -1,12 +1,12 @@
 //! Any mix of things out of the scene, with what hangs on them.
 //!
 //! A model takes its clouds along, a path its aircraft, and everything its tracks; a group sets free the boxes and sprites
-//! that were in it; a sprite is dropped by hand, so that it stays away when others are strewn. A model whose last cloud
+//! that were in it, a folder its clouds; a sprite is dropped by hand, so that it stays away when others are strewn. A model whose last cloud
 //! goes stays: it can be placed again.
 
 use super::copy::groups_of;
 use super::sprites::change_edits;
-use super::{Arrangement, Plan, keys};
+use super::{Arrangement, Plan, folders, keys};
 use crate::document::{Edit, ListEdit};
 use crate::scene::{CloudModel, ForKind, Listed, ModelId, Scene, Thing, for_each_kind};
 use std::collections::BTreeSet;
@@ -20,6 +20,8 @@ pub fn things(scene: &Scene, things: &[Thing]) -> Arrangement {
     let mut plan = Plan::new(scene);
     let listed = doomed.iter().filter(|thing| thing.listed(scene).is_some());
     plan.edits.extend(listed.filter_map(|thing| Edit::removing(*thing)));
+    let mut freed = Freed { plan: &mut plan, doomed: &doomed };
+    for_each_kind(&mut freed);
     for model in scene.models.iter().filter(|model| !doomed.contains(&Thing::Model(model.id))) {
         from_model(&mut plan, model, &doomed);
     }
@@ -43,6 +45,24 @@ impl ForKind for Doom<'_> {
         let on_doomed = |value: &&T| value.hangs_on().is_some_and(|(_, on)| self.doomed.contains(&on));
         let more: Vec<Thing> = T::list(self.scene).iter().filter(on_doomed).map(|value| T::thing(value.id())).collect();
         self.doomed.extend(more);
+    }
+}
+
+/// Takes what stays out of the folders that are doomed.
+struct Freed<'p, 's> {
+    plan: &'p mut Plan<'s>,
+    doomed: &'p BTreeSet<Thing>,
+}
+
+impl ForKind for Freed<'_, '_> {
+    fn kind<T: Listed>(&mut self) {
+        for value in T::list(self.plan.scene) {
+            let thing = T::thing(value.id());
+            let goes = value.kept_in().is_some_and(|(_, folder)| self.doomed.contains(&folder));
+            if goes && !self.doomed.contains(&thing) {
+                self.plan.edits.extend(folders::kept(self.plan.scene, thing, None));
+            }
+        }
     }
 }
 

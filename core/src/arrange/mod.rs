@@ -15,6 +15,7 @@ mod copy;
 pub mod delete;
 pub mod duplicate;
 pub mod fill;
+pub mod folders;
 pub mod group;
 pub mod join;
 pub mod keys;

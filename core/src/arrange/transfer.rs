@@ -1,13 +1,14 @@
 //! Things of one scene put into another, or once more into the same.
 //!
 //! What a thing can't be without comes along: a cloud's model, an aircraft's path. If the other scene has one that is
-//! equal but for its name, its tracks included, that one is shared. All else gets ids of its own and a name that is free.
+//! equal but for its name, its tracks included, that one is shared. So does a cloud's folder, unless the other scene has
+//! one of its name. All else gets ids of its own and a name that is free.
 
 use super::copied::Copied;
 use super::copy::copy_model;
-use super::{Arrangement, Names, Plan, keys};
+use super::{Arrangement, Names, Plan, folders, keys};
 use crate::document::{Edit, ListEdit};
-use crate::scene::{Cloud, ForKind, IdCounter, InScene, List, Listed, Scene, Thing, Track, for_each_kind};
+use crate::scene::{Cloud, Folder, ForKind, IdCounter, InScene, List, Listed, Scene, Thing, Track, for_each_kind};
 use glam::DVec3;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -39,7 +40,8 @@ struct Wanted<'s> {
 
 impl<'s> Wanted<'s> {
     fn new(scene: &'s Scene, things: &[Thing]) -> Self {
-        let mut wanted = Self { scene, chosen: things.iter().copied().collect(), needed: BTreeSet::new() };
+        let chosen = folders::with_contents(scene, things).into_iter().collect();
+        let mut wanted = Self { scene, chosen, needed: BTreeSet::new() };
         for_each_kind(&mut wanted);
         wanted
     }
@@ -48,7 +50,8 @@ impl<'s> Wanted<'s> {
 impl ForKind for Wanted<'_> {
     fn kind<T: Listed>(&mut self) {
         let chosen = T::list(self.scene).iter().filter(|value| self.chosen.contains(&T::thing(value.id())));
-        self.needed.extend(chosen.filter_map(InScene::hangs_on).map(|(_, on)| on));
+        let needs = |value: &T| [value.hangs_on(), value.kept_in()].into_iter().flatten().map(|(_, needed)| needed);
+        self.needed.extend(chosen.flat_map(needs));
     }
 }
 
@@ -113,6 +116,10 @@ impl<'a> Transfer<'a> {
         {
             value.hang_on(*on);
         }
+        if let Some(value) = edit.value_mut() {
+            let folder = value.kept_in().and_then(|(_, folder)| new.get(&folder).copied());
+            value.keep_in(folder);
+        }
         match &mut edit {
             Edit::Cloud(ListEdit::Insert { value, .. }) => value.position += *offset,
             other => step_aside::<T>(other, copy, plan.scene),
@@ -163,10 +170,13 @@ impl ForKind for All<'_> {
 }
 
 impl All<'_> {
-    /// What the other scene has that is equal to `value` but for its name.
+    /// What the other scene has that is equal to `value` but for its name; of folders, what has its name.
     fn twin<T: Listed>(&mut self, value: &T) -> Option<Thing> {
-        let wanted = alone(self.transfer.from, value);
         let into = self.transfer.plan.scene;
+        if T::LIST == Folder::LIST {
+            return folders::like(into, T::thing(value.id()), value.name());
+        }
+        let wanted = alone(self.transfer.from, value);
         let is_equal =
             |other: &&T| *self.alone.entry(T::thing(other.id())).or_insert_with(|| alone(into, *other)) == wanted;
         T::list(into).iter().find(is_equal).map(|other| T::thing(other.id()))

@@ -62,11 +62,14 @@ impl<'a> Plan<'a> {
             clouds: Vec::new(),
             work: 0,
         };
-        let mut wanted: Vec<Key> = scene.clouds.iter().filter_map(key_of).collect();
+        // What is strewn already stays so for clouds that are hidden, to be shown again soon; nothing is strewn for them.
+        let is_strewn = |key: &Key| before.populated.contains_key(key) && !change.touches_model(key.0);
+        let key_wanted = |cloud: &Cloud| key_of(cloud).filter(|key| scene.is_seen(cloud) || is_strewn(key));
+        let mut wanted: Vec<Key> = scene.clouds.iter().filter_map(key_wanted).collect();
         wanted.sort_unstable();
         wanted.dedup();
         plan.sort_out_models(&wanted, &models, change);
-        for cloud in scene.clouds.as_slice() {
+        for cloud in scene.clouds.as_slice().iter().filter(|cloud| scene.is_seen(cloud)) {
             let (old, key) = (before.index_of(cloud.id), key_of(cloud));
             let touched =
                 change.touches_cloud(cloud.id) || change.touches_model(cloud.model) || change.touches_ground();

@@ -95,7 +95,7 @@ fn length(told: &[&Changed]) -> Option<String> {
 fn written(changed: &Changed, value: &Value) -> Option<String> {
     let kind = changed.property.kind;
     Some(match (kind, value) {
-        (Kind::Seed | Kind::Model | Kind::Group | Kind::Path, _) => return None,
+        (Kind::Seed | Kind::Model | Kind::Folder | Kind::Group | Kind::Path, _) => return None,
         (_, Value::Number(number)) => short(*number),
         (_, Value::Flag(on)) => (if *on { "on" } else { "off" }).into(),
         (Kind::Choice(choices), Value::Text(name)) => {

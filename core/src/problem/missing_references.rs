@@ -1,4 +1,4 @@
-//! What is named must exist: the models of clouds, the paths of aircraft, the groups of boxes and sprites, the sprites
+//! What is named must exist: the models and folders of clouds, the paths of aircraft, the groups of boxes and sprites, the sprites
 //! that were edited.
 
 use super::Problem;
@@ -35,7 +35,7 @@ pub(super) fn check(scope: Scope<'_>, problems: &mut Vec<Problem>) {
     }
 }
 
-/// What hangs on something: list, position, field, and on what.
+/// What hangs on something, or is kept in it: list, position, field, and on or in what.
 struct Hanging<'a> {
     scope: Scope<'a>,
     found: Vec<(&'static str, usize, &'static str, Thing)>,
@@ -43,8 +43,11 @@ struct Hanging<'a> {
 
 impl ForKind for Hanging<'_> {
     fn kind<T: Listed>(&mut self) {
-        let on = |(i, value): (usize, &T)| value.hangs_on().map(|(field, on)| (T::LIST, i, field, on));
-        self.found.extend(self.scope.all::<T>().filter_map(on));
+        let named = |(i, value): (usize, &T)| {
+            let named = [value.hangs_on(), value.kept_in()].into_iter().flatten();
+            named.map(move |(field, on)| (T::LIST, i, field, on))
+        };
+        self.found.extend(self.scope.all::<T>().flat_map(named));
     }
 }
 
@@ -90,7 +93,7 @@ fn list(names: impl Iterator<Item = String>) -> String {
 #[cfg(test)]
 mod tests {
     use super::super::{assert_found, scene_with_flight};
-    use crate::scene::{GroupId, ModelId, PathId};
+    use crate::scene::{FolderId, GroupId, ModelId, PathId};
 
     #[test]
     fn refuses() {
@@ -98,7 +101,9 @@ mod tests {
         scene.clouds[0].model = ModelId(77);
         scene.models[0].boxes[0].group = Some(GroupId(78));
         scene.aircraft[0].path = PathId(79);
+        scene.clouds[0].folder = Some(FolderId(80));
         assert_found(&scene, "clouds[0].model", "no model 77");
+        assert_found(&scene, "clouds[0].folder", "no folder 80");
         assert_found(&scene, "aircraft[0].path", "no path 79");
         assert_found(&scene, "models[0].boxes[0].group", "no group 78");
     }

@@ -58,6 +58,7 @@ macro_rules! formed {
 pub const PLACE: &[Row<Cloud>] = &[
     setting!(name: text("Name", "For people.")),
     setting!(model: thing("Model", "What is placed.", Kind::Model)),
+    setting!(folder: thing("Folder", "What it is kept in, to be hidden and locked with others.", Kind::Folder).or("none")),
     numbers!(position: vector(POSITION).keyed()),
     numbers!(heading_deg: angle(HEADING_DEG).keyed()),
     numbers!(scale: number(CLOUD_SCALE).keyed()),

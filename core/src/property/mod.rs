@@ -11,6 +11,7 @@ mod camera;
 mod cloud;
 mod cloud_box;
 mod described;
+mod folder;
 mod light;
 mod model;
 mod number;

@@ -2,7 +2,7 @@
 
 use super::Number;
 use crate::color::Rgb;
-use crate::scene::{Category, Date, GroupId, ModelId, PathId};
+use crate::scene::{Category, Date, FolderId, GroupId, ModelId, PathId};
 use glam::DVec3;
 use std::fmt;
 
@@ -44,6 +44,8 @@ pub enum Kind {
     Category,
     /// The id of a cloud model.
     Model,
+    /// The id of a folder.
+    Folder,
     /// The id of a shading group of the same model.
     Group,
     /// The id of a camera path.
@@ -98,6 +100,7 @@ impl Kind {
             Self::Choice(_) => "one of the names to choose from",
             Self::Category => "a category of cloud",
             Self::Model => "the id of a cloud model",
+            Self::Folder => "the id of a folder",
             Self::Group => "the id of a shading group",
             Self::Path => "the id of a camera path",
         }
@@ -252,6 +255,7 @@ settings! {
     u64: Whole, |seed: &Self| *seed, |seed: &u64| Some(*seed);
     String: Text, Self::clone, |text: &Self| Some(text.clone());
     ModelId: Whole, |id: &Self| id.0, |id: &u64| Some(Self(*id));
+    FolderId: Whole, |id: &Self| id.0, |id: &u64| Some(Self(*id));
     GroupId: Whole, |id: &Self| id.0, |id: &u64| Some(Self(*id));
     PathId: Whole, |id: &Self| id.0, |id: &u64| Some(Self(*id));
     Date: Text, Self::to_string, |text: &String| text.parse().ok();

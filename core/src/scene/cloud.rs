@@ -1,6 +1,6 @@
 //! A cloud: a model placed in the scene.
 
-use super::{CloudId, CloudModel, Formation, HasId, HowFarFormed, InScene, ModelId, Thing};
+use super::{CloudId, CloudModel, Folder, FolderId, Formation, HasId, HowFarFormed, InScene, Listed, ModelId, Thing};
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -15,6 +15,9 @@ pub struct Cloud {
     pub name: String,
     /// What is placed.
     pub model: ModelId,
+    /// What it is kept in; none: in no folder.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub folder: Option<FolderId>,
     /// Where the model's origin comes to lie, metres in the world.
     #[schemars(with = "[f64; 3]")]
     pub position: DVec3,
@@ -62,6 +65,7 @@ impl Cloud {
             id,
             name: model.name.clone(),
             model: model.id,
+            folder: None,
             position,
             heading_deg: 0.0,
             scale: 1.0,
@@ -100,5 +104,13 @@ impl InScene for Cloud {
         if let Thing::Model(id) = thing {
             self.model = id;
         }
+    }
+
+    fn kept_in(&self) -> Option<(&'static str, Thing)> {
+        Some(("folder", Thing::Folder(self.folder?)))
+    }
+
+    fn keep_in(&mut self, thing: Option<Thing>) {
+        self.folder = thing.and_then(Folder::id_of);
     }
 }

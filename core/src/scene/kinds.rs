@@ -12,6 +12,8 @@ macro_rules! kinds {
             Camera: Camera, CameraId, cameras, "camera", "Camera";
             /// A cloud model.
             Model: CloudModel, ModelId, models, "model", "Cloud model";
+            /// A folder of clouds.
+            Folder: Folder, FolderId, folders, "folder", "Folder";
             /// A placed cloud.
             Cloud: Cloud, CloudId, clouds, "cloud", "Cloud";
             /// A camera path.

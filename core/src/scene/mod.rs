@@ -11,6 +11,7 @@ mod cloud;
 mod cloud_box;
 mod color_levels;
 mod daily_table;
+mod folder;
 mod formation;
 mod ids;
 mod kinds;
@@ -33,6 +34,7 @@ pub use cloud::Cloud;
 pub use cloud_box::{CloudBox, SpriteEdit};
 pub use color_levels::{ColorLevel, ColorLevels};
 pub use daily_table::{DailyKey, DailyTable};
+pub use folder::Folder;
 pub use formation::{Formation, FormationChange, HowFarFormed};
 pub use ids::*;
 pub(crate) use kinds::kinds;
@@ -84,6 +86,9 @@ pub struct Scene {
     /// Kinds of cloud: defined once, placed often.
     #[serde(default)]
     pub models: List<CloudModel>,
+    /// What clouds are kept together in.
+    #[serde(default, skip_serializing_if = "List::is_empty")]
+    pub folders: List<Folder>,
     /// The models' placements.
     #[serde(default)]
     pub clouds: List<Cloud>,
@@ -150,6 +155,7 @@ impl Default for Scene {
             atlas: None,
             cameras: vec![camera].into(),
             models: List::new(),
+            folders: List::new(),
             clouds: List::new(),
             paths: List::new(),
             aircraft: List::new(),

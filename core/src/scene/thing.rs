@@ -51,6 +51,14 @@ pub trait InScene {
     /// The same, to be another one of its kind.
     fn hang_on(&mut self, _thing: Thing) {}
 
+    /// What it is kept in, if it is, and the field that says so: it must be there, and is deleted without it.
+    fn kept_in(&self) -> Option<(&'static str, Thing)> {
+        None
+    }
+
+    /// The same, to be another one of its kind, or none.
+    fn keep_in(&mut self, _thing: Option<Thing>) {}
+
     /// Where in the world it can be taken and moved by hand, in order.
     fn poses_mut(&mut self) -> Vec<PoseMut<'_>> {
         Vec::new()

@@ -184,6 +184,7 @@ impl Timeline {
             atlas: scene.atlas.clone(),
             cameras: scene.cameras.clone(),
             models: List::new(),
+            folders: List::new(),
             clouds: List::new(),
             paths: scene.paths.clone(),
             aircraft: scene.aircraft.clone(),

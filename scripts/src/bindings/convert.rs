@@ -148,7 +148,7 @@ pub(super) fn value(what: &str, property: &Property, value: &Dynamic) -> Result<
     }
     Ok(match property.kind {
         Kind::Number(_) | Kind::Angle(_) | Kind::Integer(_) | Kind::Color(_) => Value::Number(number(what, value)?),
-        Kind::Seed | Kind::Model | Kind::Group | Kind::Path => Value::Whole(count(what, value)?),
+        Kind::Seed | Kind::Model | Kind::Folder | Kind::Group | Kind::Path => Value::Whole(count(what, value)?),
         Kind::Flag => Value::Flag(value.as_bool().map_err(|_| wanted(what, value, "true or false"))?),
         Kind::Text => Value::Text(text(what, value)?),
         Kind::Choice(choices) => {

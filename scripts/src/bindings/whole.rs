@@ -74,6 +74,7 @@ impl Whole<'_> {
             Owner::Ground => self.of(&scene.ground.clone().unwrap_or_default(), |new| Edit::Ground(Some(new))),
             Owner::Thing(Thing::Camera(id)) => listed!(Camera, scene.cameras, id),
             Owner::Thing(Thing::Model(id)) => listed!(Model, scene.models, id),
+            Owner::Thing(Thing::Folder(id)) => listed!(Folder, scene.folders, id),
             Owner::Thing(Thing::Cloud(id)) => listed!(Cloud, scene.clouds, id),
             Owner::Thing(Thing::Path(id)) => listed!(Path, scene.paths, id),
             Owner::Thing(Thing::Aircraft(id)) => listed!(Aircraft, scene.aircraft, id),
