@@ -9,6 +9,7 @@ pub(crate) type Groups = &'static [&'static [Command]];
 pub(crate) const OUTLINE: Groups = &[
     &[Command::Rename, Command::Cut, Command::Copy, Command::Paste, Command::Duplicate, Command::DuplicateOwn],
     &[Command::Delete, Command::RemoveUnusedModels],
+    &[Command::NewFolder, Command::MoveToFolder, Command::LeaveFolder, Command::SelectFolder],
     &[Command::FrameSelection, Command::Hide, Command::Lock, Command::Solo, Command::ShowAll],
     &[Command::PlaceModel, Command::AddBox, Command::LookThrough, Command::AlignCamera],
 ];

@@ -195,6 +195,10 @@ commands! {
         FitSprites: "Fit sprites to box", "Give the selected boxes as many and as large sprites as fill them.", NONE, None;
         ResetSprites: "Reset sprites", "Take back what was changed by hand about the selected sprites or boxes.", NONE, None;
         Rename: "Rename…", "Give the selection another name; of many, names with a running number.", key(Key::F2), None;
+        NewFolder: "New folder from selection", "Keep the selected clouds in a new folder.", NONE, Some(icon::FOLDER);
+        MoveToFolder: "Move to folder…", "Choose a folder for the selected clouds.", NONE, None;
+        LeaveFolder: "Out of the folder", "Take the selected clouds out of their folder.", NONE, None;
+        SelectFolder: "Select folder's clouds", "Select all clouds of the selected folder, or of the selected clouds' folders.", NONE, None;
         RemoveUnusedModels: "Remove unused models", "Take out the models that no cloud places.", NONE, None;
         CopyPicture: "Copy picture", "Put what the view shows onto the clipboard, as an image.", NONE, None;
         Preferences: "Preferences…", "Look, units, keys and the like, all in one place.", ctrl(Key::Comma), None;
@@ -231,7 +235,7 @@ commands! {
         LookThrough: "Look through camera", "See what the selected camera sees, or the next one.", key(Key::C), Some(icon::CAMERA);
         AlignCamera: "Align camera to view", "Put the selected camera, or the first, where the view is.", ctrl_shift(Key::C), None;
         Hide: "Hide", "Hide the selection, or show it again.", key(Key::H), Some(icon::EYE_SLASH);
-        Solo: "Solo", "Show only the selected clouds, or all again.", shift(Key::H), Some(icon::TARGET);
+        Solo: "Solo", "Show only the selected clouds and folders, or all again; so does Esc.", shift(Key::H), Some(icon::TARGET);
         Lock: "Lock", "Keep the pointer from picking the selection, or let it again.", key(Key::L), Some(icon::LOCK_SIMPLE);
         ShowAll: "Show and unlock all", "Show and unlock all that was hidden or locked.", alt(Key::H), Some(icon::EYE);
         ShowBoxes: "Show all boxes", "Show or hide the outlines of all boxes.", shift(Key::B), Some(icon::CUBE_TRANSPARENT);

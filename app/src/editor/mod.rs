@@ -399,6 +399,7 @@ impl eframe::App for Editor {
         self.answer_close_request(&context);
         self.drop_gesture_on_escape(&context);
         self.run_time(&context);
+        self.leave_solo_on_escape(&context);
         self.run_clock(&context);
         self.keep_chart(&context);
         let mut actions: Vec<Action> = Vec::new();

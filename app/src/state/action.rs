@@ -34,6 +34,15 @@ pub(crate) enum Action {
         /// Whether the button is still down.
         live: bool,
     },
+    /// Something was put elsewhere: one undo point under a name of its own.
+    Put {
+        /// What the history calls it.
+        name: String,
+        /// What is done.
+        edits: Vec<Edit>,
+        /// What is to be selected then, if anything.
+        made: Vec<Item>,
+    },
     /// Values are shown as they would be, as long as each frame asks for it; then it is taken back.
     Preview {
         /// What the history calls it once it is done.

@@ -149,7 +149,7 @@ pub struct ViewState {
     pub hidden: BTreeSet<Item>,
     /// Clouds and boxes that the pointer passes through.
     pub locked: BTreeSet<Item>,
-    /// If any: only these clouds are drawn.
+    /// If any: only these clouds, and those of these folders, are drawn.
     pub solo: BTreeSet<Item>,
 }
 
@@ -189,15 +189,17 @@ impl ViewState {
         self.base_altitude_m.or_else(selected).unwrap_or(BASE_ALTITUDE_M)
     }
 
-    /// Whether `cloud` is drawn.
-    pub fn shows(&self, cloud: &Cloud) -> bool {
+    /// Whether `cloud` of `scene` is drawn.
+    pub fn shows(&self, scene: &Scene, cloud: &Cloud) -> bool {
         let item = Item::Cloud(cloud.id);
-        !self.hidden.contains(&item)
+        let is_in_solo = || cloud.folder.is_some_and(|id| self.solo.contains(&Item::Folder(id)));
+        scene.is_seen(cloud)
+            && !self.hidden.contains(&item)
             && !self.hidden.contains(&Item::Model(cloud.model))
-            && (self.solo.is_empty() || self.solo.contains(&item))
+            && (self.solo.is_empty() || self.solo.contains(&item) || is_in_solo())
     }
 
-    /// Whether `item` can be hidden and locked by itself.
+    /// Whether `item` can be hidden and locked by itself in the view: folders are in the scene.
     pub(crate) fn can_hide(item: Item) -> bool {
         matches!(item, Item::Model(_) | Item::Box(..) | Item::Cloud(_))
     }
@@ -208,14 +210,15 @@ impl ViewState {
         if self.hidden.is_empty() && self.solo.is_empty() {
             return hidden;
         }
-        let clouds = scene.clouds.iter().filter(|cloud| !self.shows(cloud));
+        let clouds = scene.clouds.iter().filter(|cloud| !self.shows(scene, cloud));
         let boxes = self.hidden.iter().filter_map(|item| if let Item::Box(_, id) = item { Some(*id) } else { None });
         Hidden { clouds: clouds.map(|cloud| cloud.id).collect(), boxes: boxes.collect(), ..hidden }
     }
 
-    /// Whether the pointer may pick `cloud`.
-    pub fn can_pick(&self, cloud: &Cloud) -> bool {
-        self.shows(cloud)
+    /// Whether the pointer may pick `cloud` of `scene`.
+    pub fn can_pick(&self, scene: &Scene, cloud: &Cloud) -> bool {
+        self.shows(scene, cloud)
+            && !scene.is_locked(cloud)
             && !self.locked.contains(&Item::Cloud(cloud.id))
             && !self.locked.contains(&Item::Model(cloud.model))
     }

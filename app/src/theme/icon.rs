@@ -8,6 +8,7 @@ pub(crate) fn of_kind(word: &str) -> &'static str {
         "box" => CUBE,
         "camera" => VIDEO_CAMERA,
         "cloud" => CLOUD,
+        "folder" => FOLDER,
         "model" => CUBE_TRANSPARENT,
         "path" => PATH,
         "track" => DIAMOND,
@@ -46,6 +47,7 @@ pub(crate) const EYE_SLASH: &str = "\u{E224}";
 pub(crate) const FILE_PLUS: &str = "\u{E236}";
 pub(crate) const FLIP_HORIZONTAL: &str = "\u{ED6A}";
 pub(crate) const FLOPPY_DISK: &str = "\u{E248}";
+pub(crate) const FOLDER: &str = "\u{E24A}";
 pub(crate) const FRAME_CORNERS: &str = "\u{E626}";
 pub(crate) const GRADIENT: &str = "\u{EB42}";
 pub(crate) const INFO: &str = "\u{E2CE}";

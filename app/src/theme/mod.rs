@@ -3,7 +3,7 @@
 pub(crate) mod icon;
 mod tint;
 
-pub(crate) use tint::{group_tint, tint_of, tints};
+pub(crate) use tint::{group_tint, of_folder, tint_of, tints};
 
 use cloudwright_core::method::Family;
 use egui::{

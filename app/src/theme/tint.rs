@@ -1,4 +1,4 @@
-//! Tints of shading groups: the same in the list, on boxes and on sprites.
+//! Tints of shading groups: the same in the list, on boxes and on sprites. Those of folders are chosen by hand.
 //!
 //! A tint belongs to an id, so a group keeps it whatever comes and goes beside it. Hues step by the golden angle, which
 //! sets ids that follow one another far apart; three lightnesses tell those apart whose hues come near. The circle is
@@ -6,6 +6,7 @@
 
 use super::mix;
 use cloudwright_core::color::srgb_from_linear;
+use cloudwright_core::scene::Folder;
 use cloudwright_core::sprites::{GroupKey, PlacedCloud};
 use egui::Color32;
 use std::f32::consts::TAU;
@@ -27,6 +28,13 @@ pub(crate) fn tint_of(key: GroupKey) -> Color32 {
         GroupKey::Lump(id, lump) if lump % 2 == 1 => mix(group_tint(id.0), Color32::BLACK, 0.25),
         GroupKey::Lump(id, _) => group_tint(id.0),
     }
+}
+
+/// What a folder's clouds are marked with.
+pub(crate) fn of_folder(folder: &Folder) -> Color32 {
+    let [r, g, b] =
+        folder.color.to_array().map(|linear| (srgb_from_linear(linear.clamp(0.0, 1.0)) * 255.0).round() as u8);
+    Color32::from_rgb(r, g, b)
 }
 
 /// The tints of a cloud's groups, in their order: a sprite's is `tints(cloud)[sprite.group as usize]`.

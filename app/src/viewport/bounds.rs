@@ -75,6 +75,7 @@ impl Now<'_> {
                 let placed = scene.clouds.iter().filter(|cloud| cloud.model == id);
                 placed.filter_map(|cloud| self.cloud(cloud.id)).map(sphere).collect()
             }
+            Item::Folder(id) => scene.clouds_in(id).filter_map(|cloud| self.cloud(cloud.id)).map(sphere).collect(),
             // In the cloud that it was picked in: all of them might be far apart.
             Item::Box(model, id) | Item::Sprite(model, id, _) => {
                 let found = box_of(scene, model, id).zip(selection.cloud(scene));

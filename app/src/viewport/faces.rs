@@ -171,7 +171,7 @@ fn the_box<'a>(reading: &Reading<'a>) -> Option<(ModelSpace, ModelId, &'a CloudB
     if !matches!(view.tool, Tool::Select | Tool::Scale) || view.locked.contains(item) || view.hidden.contains(item) {
         return None;
     }
-    let cloud = view.selection.cloud(scene).filter(|cloud| view.can_pick(cloud) && cloud.scale > 0.0)?;
+    let cloud = view.selection.cloud(scene).filter(|cloud| view.can_pick(scene, cloud) && cloud.scale > 0.0)?;
     Some((ModelSpace::of(&Places::of(reading).seen(cloud)), *model, box_of(scene, *model, *id)?))
 }
 

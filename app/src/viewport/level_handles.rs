@@ -29,7 +29,7 @@ const MAX_SPRITES: usize = 1000;
 pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let scene = reading.session.scene();
     let selection = &reading.view.selection;
-    let placed = selection.cloud(scene).filter(|cloud| reading.levels_shown && reading.view.shows(cloud));
+    let placed = selection.cloud(scene).filter(|cloud| reading.levels_shown && reading.view.shows(scene, cloud));
     let model = selection.model(scene);
     let Some((cloud, model)) = placed.and_then(|cloud| reading.session.placed(cloud.id)).zip(model) else {
         return;

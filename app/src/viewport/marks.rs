@@ -136,7 +136,7 @@ fn marked<'a>(reading: &Reading<'a>) -> Vec<(&'a Cloud, &'a PlacedCloud)> {
         view.selection.contains(Item::Cloud(cloud.id)) || models.contains(&cloud.model) || seen_in == Some(cloud.id)
     };
     let all = !scene.clouds.iter().any(any);
-    let clouds = scene.clouds.iter().filter(|cloud| view.shows(cloud) && (all || any(cloud)));
+    let clouds = scene.clouds.iter().filter(|cloud| view.shows(scene, cloud) && (all || any(cloud)));
     clouds.filter_map(|cloud| Some((cloud, reading.session.placed(cloud.id)?))).collect()
 }
 

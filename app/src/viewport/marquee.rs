@@ -79,7 +79,8 @@ fn within(rect: Rect, screen: &Screen, reading: &Reading<'_>) -> (Vec<Item>, Opt
     if !boxes.is_empty() {
         return (boxes, reading.view.selection.cloud(reading.session.scene()).map(|cloud| cloud.id));
     }
-    let clouds = reading.session.scene().clouds.iter().filter(|cloud| reading.view.can_pick(cloud));
+    let scene = reading.session.scene();
+    let clouds = scene.clouds.iter().filter(|cloud| reading.view.can_pick(scene, cloud));
     let inside = clouds
         .filter(|cloud| reading.session.placed(cloud.id).is_some_and(|placed| is_mostly_within(placed, rect, screen)));
     (inside.map(|cloud| Item::Cloud(cloud.id)).collect(), None)
@@ -89,7 +90,7 @@ fn within(rect: Rect, screen: &Screen, reading: &Reading<'_>) -> (Vec<Item>, Opt
 fn boxes_within(rect: Rect, screen: &Screen, reading: &Reading<'_>) -> Vec<Item> {
     let (view, scene) = (reading.view, reading.session.scene());
     let cloud = match view.selection.primary() {
-        Some(Item::Box(..)) => view.selection.cloud(scene).filter(|cloud| view.can_pick(cloud)),
+        Some(Item::Box(..)) => view.selection.cloud(scene).filter(|cloud| view.can_pick(scene, cloud)),
         _ => None,
     };
     let Some((cloud, model)) = cloud.and_then(|cloud| Some((cloud, scene.model(cloud.model)?))) else {

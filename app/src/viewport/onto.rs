@@ -54,7 +54,7 @@ impl Planes {
         let (scene, view) = (reading.session.scene(), reading.view);
         let places = Places::of(reading);
         let mut faces = Vec::new();
-        for cloud in scene.clouds.iter().filter(|cloud| view.can_pick(cloud)) {
+        for cloud in scene.clouds.iter().filter(|cloud| view.can_pick(scene, cloud)) {
             let Some(model) = scene.model(cloud.model) else { continue };
             let space = ModelSpace::of(&places.seen(cloud));
             for each in &model.boxes {

@@ -92,12 +92,13 @@ pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Vec<Pic
     under.extend(props::under(at, screen, reading).map(|id| Picked { item: Item::Prop(id), through: None }));
     under.extend(dot_under(at, screen, reading));
     let ray = screen.ray(at);
-    let mut met: Vec<(f32, &Cloud, Vec<BoxId>)> = of_clouds(reading, |cloud| reading.view.can_pick(cloud))
-        .filter_map(|(cloud, now)| {
-            let (depth, boxes) = meet(cloud, &now, ray, screen, reading)?;
-            Some((depth, cloud, boxes))
-        })
-        .collect();
+    let mut met: Vec<(f32, &Cloud, Vec<BoxId>)> =
+        of_clouds(reading, |cloud| reading.view.can_pick(reading.session.scene(), cloud))
+            .filter_map(|(cloud, now)| {
+                let (depth, boxes) = meet(cloud, &now, ray, screen, reading)?;
+                Some((depth, cloud, boxes))
+            })
+            .collect();
     met.sort_by(|a, b| a.0.total_cmp(&b.0));
     for (_, cloud, boxes) in met {
         let through = Some(cloud.id);
@@ -110,7 +111,7 @@ pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Vec<Pic
 /// View depth along a ray of the nearest cloud in view, or else of the ground, metres.
 pub(super) fn depth(screen: &Screen, ray: Vec3, reading: &Reading<'_>) -> Option<f32> {
     let scene = reading.session.scene();
-    let clouds = of_clouds(reading, |cloud| reading.view.shows(cloud));
+    let clouds = of_clouds(reading, |cloud| reading.view.shows(scene, cloud));
     let depths = |now: &CloudNow<'_>| hits(now, ray, screen).map(|(depth, _)| depth).reduce(f32::min);
     let nearest = clouds.filter_map(|(_, now)| depths(&now)).reduce(f32::min);
     nearest.or_else(|| {
@@ -214,12 +215,12 @@ fn enters(cloud: &Cloud, each: &CloudBox, ray: Vec3, screen: &Screen) -> Option<
 
 /// The sprites that are marked so that they can be picked: those of the cloud whose box or sprite is selected.
 pub(super) fn dots<'a>(reading: &Reading<'a>) -> Option<(&'a Cloud, CloudNow<'a>)> {
-    let view = reading.view;
+    let (scene, view) = (reading.session.scene(), reading.view);
     let among_sprites = matches!(view.selection.primary(), Some(Item::Box(..) | Item::Sprite(..)));
     if view.sprite_marks == SpriteMarks::Off || !among_sprites {
         return None;
     }
-    let cloud = view.selection.cloud(reading.session.scene()).filter(|cloud| view.can_pick(cloud))?;
+    let cloud = view.selection.cloud(scene).filter(|cloud| view.can_pick(scene, cloud))?;
     let at = reading.session.derived().index_of(cloud.id)?;
     Some((cloud, reading.clouds_now().into_iter().nth(at)?))
 }

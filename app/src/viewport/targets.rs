@@ -84,7 +84,7 @@ impl Targets {
         let view = reading.view;
         match item {
             Item::Cloud(id) => {
-                let cloud = scene.cloud(id).filter(|cloud| view.can_pick(cloud))?;
+                let cloud = scene.cloud(id).filter(|cloud| view.can_pick(scene, cloud))?;
                 let now = places.seen(cloud).into_owned();
                 let middle = places.middle(cloud);
                 self.clouds.push((now, places.drift(cloud)));
@@ -298,7 +298,7 @@ fn short_number(number: f64, parts: f64) -> f64 {
 fn seen_in<'s>(model: ModelId, view: &ViewState, scene: &'s Scene) -> Option<&'s Cloud> {
     let picked = view.selection.cloud(scene).filter(|cloud| cloud.model == model);
     let cloud = picked.or_else(|| scene.clouds.iter().find(|cloud| cloud.model == model))?;
-    (view.can_pick(cloud) && cloud.scale > 0.0).then_some(cloud)
+    (view.can_pick(scene, cloud) && cloud.scale > 0.0).then_some(cloud)
 }
 
 /// Neither locked nor hidden, nor moved along with a cloud of its model.

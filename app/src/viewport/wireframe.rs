@@ -21,12 +21,13 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
     let places = Places::of(reading);
     // What is selected comes last, on top.
     let mut on_top = Vec::new();
-    for cloud in scene.clouds.iter().filter(|cloud| state.shows(cloud)) {
+    for cloud in scene.clouds.iter().filter(|cloud| state.shows(scene, cloud)) {
         if !shows_boxes_of(cloud, state) {
             continue;
         }
         let Some(model) = scene.model(cloud.model) else { continue };
         let now = Rc::new(places.seen(cloud).into_owned());
+        let folder = scene.folder_of(cloud);
         for each in &model.boxes {
             if state.hidden.contains(&Item::Box(model.id, each.id)) {
                 continue;
@@ -35,9 +36,11 @@ pub(super) fn paint(painter: &Painter, screen: &Screen, reading: &Reading<'_>) {
             let stroke = stroke_of(cloud, each, state);
             let tint = state.group_view.then(|| tint(each));
             let tinted = |stroke: Stroke| Stroke { color: tint.unwrap_or(stroke.color), ..stroke };
+            // What is selected looks so, whatever folder it is in.
+            let of_folder = |other: Stroke| Stroke { color: folder.map_or(other.color, theme::of_folder), ..other };
             match (stroke, other) {
                 (Some(stroke), _) => on_top.push((Rc::clone(&now), each, tinted(stroke))),
-                (None, Some(other)) => outline(painter, screen, &now, each, tinted(other)),
+                (None, Some(other)) => outline(painter, screen, &now, each, tinted(of_folder(other))),
                 (None, None) => {}
             }
         }
@@ -70,6 +73,7 @@ fn stroke_of(cloud: &Cloud, each: &CloudBox, state: &ViewState) -> Option<Stroke
     let strokes = [
         (selection.contains(Item::Box(cloud.model, each.id)), theme::SELECTED_BOX),
         (selection.contains(Item::Cloud(cloud.id)), theme::SELECTED_CLOUD),
+        (is_in_selected_folder(cloud, state), theme::SELECTED_CLOUD),
         (selection.of_model(cloud.model) || selection.has_box_of(cloud.model), theme::RELATED_BOX),
     ];
     let strokes = strokes.into_iter().filter_map(|(is_its, stroke)| is_its.then_some(stroke));
@@ -81,7 +85,11 @@ pub(super) fn shows_boxes_of(cloud: &Cloud, state: &ViewState) -> bool {
     let (selection, model) = (&state.selection, cloud.model);
     let is_about =
         selection.contains(Item::Cloud(cloud.id)) || selection.of_model(model) || selection.has_box_of(model);
-    state.show_all_boxes || state.group_view || is_about
+    state.show_all_boxes || state.group_view || is_about || is_in_selected_folder(cloud, state)
+}
+
+fn is_in_selected_folder(cloud: &Cloud, state: &ViewState) -> bool {
+    cloud.folder.is_some_and(|id| state.selection.contains(Item::Folder(id)))
 }
 
 fn outline(painter: &Painter, screen: &Screen, cloud: &Cloud, each: &CloudBox, stroke: Stroke) {

@@ -99,6 +99,20 @@ pub fn pasted(scene: &Scene, clip: &Clip, model: Option<ModelId>) -> Result<Arra
     }
 }
 
+/// Boxes of one model moved into the model `into`, with their shading groups and tracks: as if cut and pasted there.
+pub fn moved(scene: &Scene, things: &[Thing], into: ModelId) -> Arrangement {
+    let of = |thing: &Thing| if let Thing::Box(model, id) = thing { Some((*model, *id)) } else { None };
+    let Some((from, _)) = things.iter().find_map(of).filter(|(from, _)| *from != into) else {
+        return Arrangement::default();
+    };
+    let ids: Vec<BoxId> = things.iter().filter_map(of).filter(|(model, _)| *model == from).map(|(_, id)| id).collect();
+    let pasted = boxes(scene, from, &ids).and_then(|clip| pasted(scene, &clip, Some(into)).ok());
+    let Some(mut moved) = pasted else { return Arrangement::default() };
+    let gone: Vec<Thing> = ids.into_iter().map(|id| Thing::Box(from, id)).collect();
+    moved.edits.extend(super::delete::things(scene, &gone).edits);
+    moved
+}
+
 /// All but what is there for others' sake.
 fn pasted_for_themselves(clip: &Scene) -> Vec<Thing> {
     let mut things = all(clip);
@@ -252,6 +266,25 @@ mod tests {
         assert_eq!(model.boxes[4].group, first.boxes[1].group);
         assert!(model.boxes[3].center.x > first.boxes[0].center.x);
         assert_eq!(check(&after), []);
+    }
+
+    #[test]
+    fn boxes_are_moved_into_another_model() {
+        let mut scene = two_clouds();
+        let [first, second] = [0, 1].map(|at| scene.models[at].id);
+        let chosen = scene.models[0].boxes[1].id;
+        with_tracks(&mut scene, &[format!("model/{first}/box/{chosen}/light/c_max")]);
+        let arrangement = moved(&scene, &[Thing::Box(first, chosen)], second);
+        let after = applied(&scene, &arrangement);
+        assert_eq!(after.models.iter().map(|model| model.boxes.len()).collect::<Vec<_>>(), [2, 4]);
+        let new = &after.models[1].boxes[3];
+        assert_eq!(arrangement.made, [Thing::Box(second, new.id)]);
+        assert_eq!((new.size, new.key), (scene.models[0].boxes[1].size, Some(chosen.0)), "it looks as before");
+        assert_eq!((after.models[1].groups.len(), new.group), (2, Some(after.models[1].groups[1].id)));
+        assert_eq!(after.tracks.len(), 1);
+        assert_eq!(after.tracks[0].property, format!("model/{second}/box/{}/light/c_max", new.id));
+        assert_eq!(moved(&scene, &[Thing::Box(first, chosen)], first), Arrangement::default());
+        assert_eq!(moved(&scene, &[Thing::Cloud(scene.clouds[0].id)], second), Arrangement::default());
     }
 
     #[test]

@@ -4,7 +4,7 @@
 //! clouds says in which order a folder's stand.
 
 use super::duplicate::{self, Copy};
-use super::{Arrangement, Names, Plan, at_end};
+use super::{Arrangement, Names, Plan, at_end, order};
 use crate::document::{Edit, ListEdit};
 use crate::scene::{CloudId, Folder, FolderId, InScene, Scene, Thing};
 use glam::DVec3;
@@ -28,6 +28,28 @@ pub fn put(scene: &Scene, clouds: &[CloudId], folder: Option<FolderId>) -> Arran
     plan.made.extend(others.map(Thing::Cloud));
     plan.edits.extend(plan.made.iter().filter_map(|thing| kept(scene, *thing, folder.map(Thing::Folder))));
     plan.done()
+}
+
+/// The same, and before `before` of the scene's clouds, or at their end.
+pub fn placed(scene: &Scene, clouds: &[CloudId], folder: Option<FolderId>, before: Option<CloudId>) -> Arrangement {
+    let things: Vec<Thing> = clouds.iter().map(|id| Thing::Cloud(*id)).collect();
+    let mut moved = order::moved(scene, &things, before.map(Thing::Cloud));
+    if moved.edits.is_empty() {
+        return put(scene, clouds, folder);
+    }
+    for value in moved.edits.iter_mut().filter_map(Edit::value_mut) {
+        value.keep_in(folder.map(Thing::Folder));
+    }
+    moved
+}
+
+/// What the history calls that `count` clouds went into `folder`, or out of theirs.
+pub fn told(scene: &Scene, count: usize, folder: Option<FolderId>) -> String {
+    let clouds = if count == 1 { "Cloud" } else { "Clouds" };
+    match folder.and_then(|id| scene.folders.with_id(id)) {
+        Some(folder) => format!("{clouds} into folder {}", folder.name),
+        None => format!("{clouds} out of the folder"),
+    }
 }
 
 /// Copies of folders with copies of their clouds, `offset` metres in the world away.
@@ -120,6 +142,10 @@ mod tests {
         assert_eq!(folders(&both), [Some(anvils); 2]);
         assert_eq!(put(&both, &all, Some(anvils)), Arrangement::default(), "they are there");
         assert_eq!(folders(&applied(&both, &put(&both, &all, None))), [None; 2]);
+        let first = applied(&both, &placed(&both, &all[1..], None, Some(all[0])));
+        assert_eq!((ids(&first), folders(&first)), (vec![all[1], all[0]], vec![None, Some(anvils)]));
+        let told = [(1, None), (1, Some(anvils)), (2, Some(anvils))].map(|(count, into)| told(&both, count, into));
+        assert_eq!(told, ["Cloud out of the folder", "Cloud into folder Anvils", "Clouds into folder Anvils"]);
         let second = applied(&both, &made(&both, &all[..1]));
         assert_eq!(second.folders[1].name, "folder");
         assert_ne!(second.folders[1].color, second.folders[0].color);

@@ -5,6 +5,7 @@
 
 mod about;
 mod append;
+mod folder;
 mod layouts;
 mod path;
 mod preferences;
@@ -70,6 +71,8 @@ pub(super) enum Dialog {
     About,
     /// Clouds of another scene to choose from.
     Append(Append),
+    /// A folder for the selected clouds to go into.
+    IntoFolder,
     /// Names for many things at once.
     Rename(Rename),
     /// A path to be typed.
@@ -240,6 +243,13 @@ impl Editor {
             Dialog::Append(append) => {
                 if append.choose(context)? {
                     self.append(append);
+                }
+            }
+            Dialog::IntoFolder => {
+                match folder::choose(context, self.session.scene(), self.view.selection.clouds().count())? {
+                    folder::Choice::Into(id) => self.put_into_folder(Some(id)),
+                    folder::Choice::New => self.new_folder(),
+                    folder::Choice::Cancel => {}
                 }
             }
             Dialog::Rename(rename) => {

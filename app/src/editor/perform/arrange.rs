@@ -9,10 +9,10 @@ use crate::state::{Item, Selection, box_of};
 use cloudwright_core::arrange::duplicate::{self, Copy};
 use cloudwright_core::arrange::mirror::{self, Axis};
 use cloudwright_core::arrange::sprites::SpriteId;
-use cloudwright_core::arrange::{Arrangement, Refusal, delete, fill, join, rename, split, sprites};
+use cloudwright_core::arrange::{Arrangement, Refusal, delete, fill, folders, join, rename, split, sprites};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::random;
-use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, ModelId};
+use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, Folder, FolderId, ModelId};
 use glam::DVec3;
 use std::collections::BTreeSet;
 
@@ -51,6 +51,12 @@ impl Editor {
                 duplicate::boxes(scene, model, &ids, DVec3::X * width)
             }
             Some(Item::Cloud(_)) => self.duplicated_clouds(Copy::Linked),
+            Some(Item::Folder(_)) => {
+                let ids: Vec<FolderId> = selection.all::<Folder>().collect();
+                let clouds: Vec<CloudId> =
+                    ids.iter().flat_map(|id| scene.clouds_in(*id)).map(|cloud| cloud.id).collect();
+                folders::duplicated(scene, &ids, self.aside(&clouds))
+            }
             Some(primary) => {
                 let same = selection.items().iter().copied().filter(|item| item.word() == primary.word());
                 duplicate::things(scene, &same.collect::<Vec<_>>())
@@ -68,11 +74,15 @@ impl Editor {
     /// Copies of the selected clouds, to the east of them.
     fn duplicated_clouds(&self, copy: Copy) -> Arrangement {
         let ids: Vec<CloudId> = self.view.selection.clouds().collect();
+        duplicate::clouds(self.session.scene(), &ids, self.aside(&ids), copy)
+    }
+
+    /// How far to the east of those clouds copies of them go, metres.
+    fn aside(&self, ids: &[CloudId]) -> DVec3 {
         let placed = ids.iter().filter_map(|id| self.session.placed(*id));
         // A cloud is narrower than the sphere that holds it.
         let aside = width(placed.map(|cloud| (cloud.origin.x, f64::from(cloud.reach)))) * 0.75;
-        let aside = if aside > 0.0 { aside.round() } else { 500.0 };
-        duplicate::clouds(self.session.scene(), &ids, DVec3::X * aside, copy)
+        DVec3::X * if aside > 0.0 { aside.round() } else { 500.0 }
     }
 
     pub(super) fn make_own(&mut self) {
@@ -165,10 +175,13 @@ impl Editor {
         }
     }
 
-    /// The selection goes, by that command.
+    /// The selection goes, by that command. A folder that is cut takes its clouds along; one that is deleted leaves them.
     pub(super) fn take_out(&mut self, command: Command) {
         let scene = self.session.scene();
-        let things = self.view.selection.items();
+        let chosen = self.view.selection.items();
+        let with_contents = folders::with_contents(scene, chosen);
+        let kept = if command == Command::Cut { 0 } else { with_contents.len() - chosen.len() };
+        let things = if command == Command::Cut { with_contents } else { chosen.to_vec() };
         let left = match self.view.selection.primary() {
             Some(Item::Group(model, _) | Item::Sprite(model, ..)) => {
                 let cloud = self.view.selection.cloud(scene).map(|cloud| Item::Cloud(cloud.id));
@@ -176,10 +189,15 @@ impl Editor {
             }
             _ => Selection::default(),
         };
-        let edits = delete::things(scene, things).edits;
+        let edits = delete::things(scene, &things).edits;
         let before: BTreeSet<Item> = delete::unused_models(scene).into_iter().collect();
         self.edit_and_select(command, edits, left);
         self.tell_what_stays(&before);
+        match kept {
+            0 => {}
+            1 => self.tell("Its cloud stays, in no folder"),
+            _ => self.tell(format!("Its {kept} clouds stay, in no folder")),
+        }
     }
 
     /// Models that are no longer placed, as before those were.

@@ -114,6 +114,7 @@ fn told(clip: &Clip) -> String {
     }
     let counts = [
         counted(scene.clouds.len(), "cloud", "clouds"),
+        counted(scene.folders.len(), "folder", "folders"),
         counted(scene.models.len(), "model", "models"),
         counted(scene.cameras.len(), "camera", "cameras"),
         counted(scene.paths.len(), "path", "paths"),

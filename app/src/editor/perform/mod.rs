@@ -4,6 +4,7 @@ mod add;
 mod arrange;
 mod clipboard;
 mod flight;
+mod folders;
 mod keys;
 mod naming;
 mod shade;
@@ -21,6 +22,7 @@ use crate::viewport::Grabbed;
 use cloudwright_core::arrange::delete;
 use cloudwright_core::arrange::mirror::Axis;
 use cloudwright_core::document::{Edit, EditError};
+use cloudwright_core::scene::Folder;
 
 impl Editor {
     /// Does what panels and viewport asked for, and shows the outcome in the next frame.
@@ -41,6 +43,13 @@ impl Editor {
                 Action::LookThrough(id) => self.look_through(id),
                 Action::SetFromView(id) => self.set_from_view(id),
                 Action::Change { name, edits, live } => self.change(name, edits, live),
+                Action::Put { name, edits, made } => {
+                    let done = self.session.edit(&name, edits);
+                    if done.is_ok() && !made.is_empty() {
+                        self.select(Selection::of(made));
+                    }
+                    self.report(done);
+                }
                 Action::Preview { name, edits } => {
                     self.previews = true;
                     if !edits.is_empty() {
@@ -127,7 +136,13 @@ impl Editor {
             Command::NewGroup | Command::Ungroup | Command::ResetSprites => {
                 boxes > 0 || selection.sprites().next().is_some()
             }
-            Command::Solo => clouds > 0 || !self.view.solo.is_empty(),
+            Command::NewFolder => clouds > 0,
+            Command::MoveToFolder => clouds > 0 && !scene.folders.is_empty(),
+            Command::LeaveFolder => {
+                selection.clouds().any(|id| scene.cloud(id).is_some_and(|each| each.folder.is_some()))
+            }
+            Command::SelectFolder => !self.folders_at_work().is_empty(),
+            Command::Solo => clouds > 0 || selection.all::<Folder>().next().is_some() || !self.view.solo.is_empty(),
             Command::Duplicate => {
                 !matches!(selection.primary(), None | Some(Item::Model(_) | Item::Group(..) | Item::Sprite(..)))
             }
@@ -266,6 +281,10 @@ impl Editor {
             Command::AlignCamera => self.align_camera(),
             Command::Hide => self.toggle_hidden(),
             Command::Solo => self.toggle_solo(),
+            Command::NewFolder => self.new_folder(),
+            Command::MoveToFolder => self.ask_folder(),
+            Command::LeaveFolder => self.put_into_folder(None),
+            Command::SelectFolder => self.select_folder(),
             Command::Lock => self.toggle_locked(),
             Command::ShowAll => self.show_all(),
             Command::ShowBoxes => self.view.show_all_boxes ^= true,

@@ -2,7 +2,7 @@
 
 use crate::editor::Editor;
 use crate::state::{Choose, Item, Selection, ViewChange, ViewState};
-use cloudwright_core::scene::CameraId;
+use cloudwright_core::scene::{CameraId, Folder};
 use std::collections::BTreeSet;
 
 impl Editor {
@@ -61,7 +61,7 @@ impl Editor {
                 boxes.iter().map(|each| Item::Box(model, each.id)).collect()
             }
             _ => {
-                let clouds = scene.clouds.iter().filter(|cloud| self.view.can_pick(cloud));
+                let clouds = scene.clouds.iter().filter(|cloud| self.view.can_pick(scene, cloud));
                 clouds.map(|cloud| Item::Cloud(cloud.id)).collect()
             }
         };
@@ -72,18 +72,32 @@ impl Editor {
     pub(super) fn toggle_hidden(&mut self) {
         let items = hideable(&self.view.selection);
         toggle(&mut self.view.hidden, items);
+        self.toggle_folders(|folder| &mut folder.hidden);
     }
 
     /// Locks what of the selection is free; if nothing is, frees it again.
     pub(super) fn toggle_locked(&mut self) {
         let items = hideable(&self.view.selection);
         toggle(&mut self.view.locked, items);
+        self.toggle_folders(|folder| &mut folder.locked);
     }
 
-    /// Shows only the selected clouds; all again if it is those already, or none is selected.
+    /// Shows only the selected clouds and those of selected folders; all again if it is those already, or none is selected.
     pub(super) fn toggle_solo(&mut self) {
-        let clouds: BTreeSet<Item> = self.view.selection.clouds().map(Item::Cloud).collect();
+        let selection = &self.view.selection;
+        let folders = selection.all::<Folder>().map(Item::Folder);
+        let clouds: BTreeSet<Item> = selection.clouds().map(Item::Cloud).chain(folders).collect();
         self.view.solo = if clouds == self.view.solo { BTreeSet::new() } else { clouds };
+    }
+
+    /// Esc shows again what solo left out, unless it is another thing's.
+    pub(in crate::editor) fn leave_solo_on_escape(&mut self, context: &egui::Context) {
+        let taken = self.is_asking() || self.gesture_dropped || self.viewport.has_keys() || context.text_edit_focused();
+        let taken = taken || context.dragged_id().is_some() || self.view.renaming.is_some() || self.time_play.runs();
+        let is_in_solo = !self.view.solo.is_empty() && !self.clock.plays() && !self.viewport.is_on_board();
+        if is_in_solo && !taken && context.input(|input| input.key_pressed(egui::Key::Escape)) {
+            self.view.solo.clear();
+        }
     }
 
     pub(super) fn show_all(&mut self) {

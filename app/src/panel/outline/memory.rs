@@ -1,7 +1,7 @@
 //! What the panel remembers from frame to frame: what is searched for, folded, in sight and in hand.
 
 use crate::state::{Item, Selection};
-use cloudwright_core::scene::ModelId;
+use cloudwright_core::scene::{FolderId, ModelId, Scene};
 use egui::mutex::Mutex;
 use egui::{Context, Id};
 use std::collections::BTreeSet;
@@ -38,6 +38,8 @@ pub(super) enum Fold {
     List(&'static str),
     /// The boxes of a model.
     Model(ModelId),
+    /// The clouds of a folder.
+    Folder(FolderId),
 }
 
 impl Memory {
@@ -47,13 +49,18 @@ impl Memory {
     }
 
     /// What was chosen last is brought into sight, wherever it was chosen.
-    pub(super) fn follow(&mut self, selection: &Selection) {
+    pub(super) fn follow(&mut self, selection: &Selection, scene: &Scene) {
         let primary = selection.primary();
         if primary != self.seen {
             self.seen = primary;
             self.reveal = primary.map(row_of);
-            if let Some(Item::Box(model, _)) = self.reveal {
-                self.folded.remove(&Fold::Model(model));
+            let fold = match self.reveal {
+                Some(Item::Box(model, _)) => Some(Fold::Model(model)),
+                Some(Item::Cloud(id)) => scene.cloud(id).and_then(|cloud| cloud.folder).map(Fold::Folder),
+                _ => None,
+            };
+            if let Some(fold) = fold {
+                self.folded.remove(&fold);
             }
         }
     }

@@ -1,7 +1,7 @@
-//! The scene as a tree: clouds, models with their boxes, cameras, flights. What a command works on is chosen here.
+//! The scene as a tree: folders with their clouds, models with their boxes, cameras, flights. What a command works on is chosen here.
 //!
 //! A click chooses; with Ctrl one more, with Shift all up to there; so do the arrow keys. F2 or a double click renames, a
-//! drag gives another place in the list, the right button offers what can be done. Only the rows in sight are laid out.
+//! drag gives another place in the list or puts clouds into a folder, the right button offers what can be done. Only the rows in sight are laid out.
 
 mod drag;
 mod lines;
@@ -24,9 +24,9 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
     let memory = Memory::of(ui.ctx());
     let memory = &mut *memory.lock();
     find(ui, memory);
-    memory.follow(&reading.view.selection);
-    take_up_renaming(memory, reading);
     let scene = reading.session.scene();
+    memory.follow(&reading.view.selection, scene);
+    take_up_renaming(memory, reading);
     let lines = lines::lines(scene, memory);
     by_keys(ui, &lines, memory, reading, actions);
     let pitch = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
@@ -110,7 +110,8 @@ fn show_line(
                 }
             });
         }
-        Line::Thing { item, name } => {
+        Line::Thing { .. } | Line::Folder { .. } => {
+            let Some((item, name)) = line.item().zip(line.name()) else { return };
             let unused = matches!(item, Item::Model(id) if !used.contains(&id));
             let shown = Shown { folded, unused };
             let response =
@@ -194,12 +195,13 @@ fn by_keys(ui: &Ui, lines: &[Line<'_>], memory: &mut Memory, reading: &Reading<'
         actions.push(Action::Select { items: vec![next], through: None, how });
         memory.focus = Some(next);
     }
-    match (primary, fold) {
-        (Item::Model(id), 1) => drop(memory.folded.remove(&memory::Fold::Model(id))),
-        (Item::Model(id), -1) => drop(memory.folded.insert(memory::Fold::Model(id))),
-        (Item::Box(id, _), -1) => {
-            actions.push(Action::select(Item::Model(id)));
-            memory.focus = Some(Item::Model(id));
+    match (lines[at].fold(), fold) {
+        (Some(its), 1) => drop(memory.folded.remove(&its)),
+        (Some(its), -1) => drop(memory.folded.insert(its)),
+        (None, -1) if lines[at].depth() > 1 => {
+            let above = lines.iter().take(at).rev().find(|line| line.depth() == 1).and_then(Line::item);
+            actions.extend(above.map(Action::select));
+            memory.focus = above;
         }
         _ => {}
     }

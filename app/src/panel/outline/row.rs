@@ -3,15 +3,20 @@
 use super::lines::Line;
 use super::memory::{Fold, Memory};
 use crate::state::{Action, Item, Reading, ViewChange, ViewState};
-use crate::theme::icon;
+use crate::theme::{self, icon};
 use crate::widget::name_it;
 use cloudwright_core::arrange::rename;
+use cloudwright_core::document::{Edit, ListEdit};
+use cloudwright_core::scene::{Folder, Listed};
 use egui::collapsing_header::paint_default_icon;
 use egui::text::{CCursor, CCursorRange};
 use egui::{
-    Align, AtomExt, Button, EventFilter, Key, Layout, Response, RichText, Role, Sense, TextEdit, Ui, Vec2, WidgetInfo,
-    vec2,
+    Align, AtomExt, Button, EventFilter, Key, Layout, Rect, Response, RichText, Role, Sense, TextEdit, Ui, Vec2,
+    WidgetInfo, vec2,
 };
+
+/// Of a folder's colour along the rows of its clouds, points.
+const STRIPE: f32 = 3.0;
 
 /// What is known of a line besides its words.
 pub(super) struct Shown {
@@ -73,7 +78,11 @@ pub(super) fn thing(
     let text = called(item, name);
     let size = vec2(ui.available_width(), height);
     ui.allocate_ui_with_layout(size, Layout::right_to_left(Align::Center), |ui| {
-        marks(ui, item, &text, shown, reading, actions);
+        stripe(ui, line);
+        match line {
+            Line::Folder { folder, holds } => folder_marks(ui, folder, *holds, &text, actions),
+            _ => marks(ui, item, &text, shown, reading, actions),
+        }
         ui.with_layout(Layout::left_to_right(Align::Center), |ui| {
             indent(ui, line, &text, shown, memory);
             if memory.renamed.as_ref().is_some_and(|(renamed, _)| *renamed == item) {
@@ -81,7 +90,7 @@ pub(super) fn thing(
                 return None;
             }
             let layout = Layout::left_to_right(Align::Center).with_main_justify(true).with_main_align(Align::Min);
-            Some(ui.with_layout(layout, |ui| button(ui, item, &text, memory, reading)).inner)
+            Some(ui.with_layout(layout, |ui| button(ui, line, (item, &text), memory, reading)).inner)
         })
         .inner
     })
@@ -93,7 +102,7 @@ fn indent(ui: &mut Ui, line: &Line<'_>, text: &str, shown: &Shown, memory: &mut 
     let step = ui.spacing().icon_width;
     ui.add_space(step * line.depth() as f32);
     match line.fold() {
-        Some(fold @ Fold::Model(_)) => {
+        Some(fold @ (Fold::Model(_) | Fold::Folder(_))) => {
             if fold_mark(ui, text, shown.folded) {
                 memory.toggle(fold);
             }
@@ -103,6 +112,44 @@ fn indent(ui: &mut Ui, line: &Line<'_>, text: &str, shown: &Shown, memory: &mut 
     }
 }
 
+/// The colour of the folder that it is, or is in.
+fn stripe(ui: &Ui, line: &Line<'_>) {
+    let Some(folder) = line.folder() else { return };
+    let (row, is_within) = (ui.max_rect(), line.depth() > 1);
+    let width = if is_within { STRIPE } else { 2.0 * STRIPE };
+    let left = row.left() + 0.25 * ui.spacing().icon_width;
+    // From one row to the next without a gap.
+    let height = row.expand(0.5 * ui.spacing().item_spacing.y).y_range();
+    ui.painter().rect_filled(Rect::from_x_y_ranges(left..=left + width, height), 0.0, theme::of_folder(folder));
+}
+
+/// Eye and lock of a folder, which are the scene's, and how many clouds are in it.
+fn folder_marks(ui: &mut Ui, folder: &Folder, holds: usize, text: &str, actions: &mut Vec<Action>) {
+    let mut set = |changed: Folder| {
+        actions.push(Action::change(Folder::CHANGE, Edit::Folder(ListEdit::Replace(changed)), false));
+    };
+    if lock(ui, text, folder.locked) {
+        set(Folder { locked: !folder.locked, ..folder.clone() });
+    }
+    if eye(ui, text, folder.hidden) {
+        set(Folder { hidden: !folder.hidden, ..folder.clone() });
+    }
+    let clouds = if holds == 1 { "1 cloud".into() } else { format!("{holds} clouds") };
+    ui.add(egui::Label::new(RichText::new(clouds).weak()).selectable(false));
+}
+
+/// Whether it was clicked.
+fn lock(ui: &mut Ui, text: &str, locked: bool) -> bool {
+    let (glyph, word) = if locked { (icon::LOCK_SIMPLE, "Unlock") } else { (icon::LOCK_SIMPLE_OPEN, "Lock") };
+    small(ui, glyph, &format!("{word} {text}"), locked).clicked()
+}
+
+/// Whether it was clicked.
+fn eye(ui: &mut Ui, text: &str, hidden: bool) -> bool {
+    let (glyph, word) = if hidden { (icon::EYE_SLASH, "Show") } else { (icon::EYE, "Hide") };
+    small(ui, glyph, &format!("{word} {text}"), hidden).clicked()
+}
+
 /// Eye and lock, and that a model is not used.
 fn marks(ui: &mut Ui, item: Item, text: &str, shown: &Shown, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     if !ViewState::can_hide(item) {
@@ -110,13 +157,11 @@ fn marks(ui: &mut Ui, item: Item, text: &str, shown: &Shown, reading: &Reading<'
     }
     let view = reading.view;
     let locked = view.locked.contains(&item);
-    let (glyph, word) = if locked { (icon::LOCK_SIMPLE, "Unlock") } else { (icon::LOCK_SIMPLE_OPEN, "Lock") };
-    if small(ui, glyph, &format!("{word} {text}"), locked).clicked() {
+    if lock(ui, text, locked) {
         actions.push(Action::View(ViewChange::Locked(item, !locked)));
     }
     let hidden = view.hidden.contains(&item);
-    let (glyph, word) = if hidden { (icon::EYE_SLASH, "Show") } else { (icon::EYE, "Hide") };
-    if small(ui, glyph, &format!("{word} {text}"), hidden).clicked() {
+    if eye(ui, text, hidden) {
         actions.push(Action::View(ViewChange::Hidden(item, !hidden)));
     }
     if shown.unused {
@@ -125,9 +170,15 @@ fn marks(ui: &mut Ui, item: Item, text: &str, shown: &Shown, reading: &Reading<'
     }
 }
 
-fn button(ui: &mut Ui, item: Item, text: &str, memory: &mut Memory, reading: &Reading<'_>) -> Response {
+fn button(
+    ui: &mut Ui,
+    line: &Line<'_>,
+    (item, text): (Item, &str),
+    memory: &mut Memory,
+    reading: &Reading<'_>,
+) -> Response {
     let mut label = RichText::new(text);
-    if reading.view.hidden.contains(&item) {
+    if reading.view.hidden.contains(&item) || line.folder().is_some_and(|folder| folder.hidden) {
         label = label.weak();
     }
     let glyph = RichText::new(icon::of_kind(item.word())).weak();

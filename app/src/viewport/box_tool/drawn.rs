@@ -24,7 +24,7 @@ impl Target {
     /// The cloud that the selection is seen in, unless it is hidden or locked.
     pub(super) fn of(reading: &Reading<'_>) -> Self {
         let scene = reading.session.scene();
-        let cloud = reading.view.selection.cloud(scene).filter(|cloud| reading.view.can_pick(cloud));
+        let cloud = reading.view.selection.cloud(scene).filter(|cloud| reading.view.can_pick(scene, cloud));
         let cloud = cloud.filter(|cloud| scene.model(cloud.model).is_some() && cloud.scale > 0.0);
         cloud.map_or(Self::New, |cloud| Self::Cloud(cloud.clone()))
     }
