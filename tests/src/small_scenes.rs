@@ -3,9 +3,9 @@
 use crate::authoring::{Sketch, Strew};
 use cloudwright_core::color::Rgb;
 use cloudwright_core::scene::{
-    Aircraft, AircraftId, BoxId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, CullRadius, Formation,
-    GroupCenter, GroupId, GroupLight, HowFarFormed, KeyValue, ModelId, PathId, PathKey, Prop, PropId, Region, Scene,
-    ShadingGroup, SpriteEdit, Sun, Track, TrackId, TrackKey, Tuning,
+    Aircraft, AircraftId, BoxId, CameraPath, Category, Cloud, CloudBox, CloudId, CloudModel, CullRadius, Folder,
+    FolderId, Formation, GroupCenter, GroupId, GroupLight, HowFarFormed, KeyValue, ModelId, PathId, PathKey, Prop,
+    PropId, Region, Scene, ShadingGroup, SpriteEdit, Sun, Track, TrackId, TrackKey, Tuning,
 };
 use glam::{DQuat, DVec3, EulerRot};
 
@@ -110,11 +110,13 @@ pub fn everything() -> Scene {
     let first = &mut scene.models[0];
     first.boxes[0].sprite_edits.push(sprite);
     first.groups.extend(groups);
+    let folder = Folder::new(FolderId::new(next), "folder");
     for formation in [None, Some(Formation::default())] {
         let cloud = Cloud::new(CloudId::new(next), &scene.models[0], DVec3::new(0.0, 1000.0, 0.0));
         let formed = Some(HowFarFormed { core: 0.75, edges: 0.5 });
-        scene.clouds.push(Cloud { formation, formed, ..cloud });
+        scene.clouds.push(Cloud { formation, formed, folder: Some(folder.id), ..cloud });
     }
+    scene.folders.push(folder);
     let key = |time_s| PathKey {
         time_s,
         position: DVec3::new(time_s, 900.0, 0.0),

@@ -100,6 +100,8 @@ pub struct Editor {
     /// The camera that was looked through last by the key.
     last_camera: Option<CameraId>,
     copied_levels: Option<ColorLevels>,
+    /// What was copied last, and the folder that the files which it names lie in.
+    copied_from: Option<(String, PathBuf)>,
     file_dialogs: Box<dyn FileDialogs>,
     disk: Disk,
     waiting: Option<Waiting>,
@@ -169,6 +171,7 @@ impl Editor {
             recording: None,
             last_camera: None,
             copied_levels: None,
+            copied_from: None,
             file_dialogs,
             disk,
             waiting: None,

@@ -89,10 +89,15 @@ pub fn leave(subject: Subject<'_>, order: &Order, to: &Path, watch: &Watch) -> R
     };
     let mut files = Written { subject, to, over: order.over, together: Together::default(), failed: None };
     let written = order.format.write(&leaving, &mut files);
-    let notes = written.map_err(|error| match files.failed.take() {
+    let mut notes = written.map_err(|error| match files.failed.take() {
         Some(failed) if !matches!(error, ExportError::Cancelled) => failed.into(),
         _ => LeaveError::Export(error),
     })?;
+    let is_meant = |id: &CloudId| order.clouds.as_ref().is_none_or(|chosen| chosen.contains(id));
+    let unseen = scene.clouds.iter().filter(|cloud| is_meant(&cloud.id) && !scene.is_seen(cloud)).count();
+    if unseen > 0 {
+        notes.insert(0, Note::left_out(format!("clouds in hidden folders: {unseen}"), ""));
+    }
     let files = files.together.take_names().map_err(SaveError::from)?;
     Ok(Left { files, notes })
 }

@@ -38,12 +38,13 @@ fn another(address: Address, value: &Value) -> Value {
         }
         (Kind::Choice(choices), Value::None) => Value::Text(choices[0].name.into()),
         (Kind::Category, _) => Value::Text(Category::Wisps.name().into()),
-        (Kind::Group, Value::Whole(_)) => Value::None,
+        (Kind::Folder | Kind::Group, Value::Whole(_)) => Value::None,
         // Others of these are not in the scene, or in the same model.
-        (Kind::Group | Kind::Model | Kind::Path, same) => same.clone(),
+        (Kind::Folder | Kind::Group | Kind::Model | Kind::Path, same) => same.clone(),
         (kind, value) => panic!("{address} is {value:?}, and of kind {kind:?}"),
     };
-    assert!(new != *value || matches!(address.property.kind, Kind::Group | Kind::Model | Kind::Path), "{address}");
+    let is_id = matches!(address.property.kind, Kind::Folder | Kind::Group | Kind::Model | Kind::Path);
+    assert!(new != *value || is_id, "{address}");
     new
 }
 

@@ -2,7 +2,9 @@
 
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::problem::Severity;
-use cloudwright_core::scene::{Aircraft, AircraftId, Formation, FormationChange, PathId, Prop, PropId};
+use cloudwright_core::scene::{
+    Aircraft, AircraftId, Folder, FolderId, Formation, FormationChange, PathId, Prop, PropId,
+};
 use cloudwright_tests::small_scenes::heap;
 use glam::DVec3;
 use proptest::prelude::*;
@@ -66,6 +68,29 @@ proptest! {
         let start = starts[at.index(starts.len())];
         let length = text[start..].find(|c: char| !(c.is_ascii_digit() || c == '.')).unwrap_or(1);
         check(format!("{}{wild}{}", &text[..start], &text[start + length..]).as_bytes())?;
+    }
+}
+
+#[test]
+fn folders_round_trip_and_must_be_there() {
+    let mut scene = heap(20);
+    let id = FolderId::new(&mut scene.next_id);
+    scene.folders.push(Folder { hidden: true, ..Folder::new(id, "Anvils") });
+    scene.clouds[0].folder = Some(id);
+    let text = scene_file::write(&scene).expect("finite");
+    assert!(!good().contains("folder"), "a scene without folders is as it was");
+    assert!(text.contains("\"hidden\": true") && !text.contains("locked"));
+    assert_eq!(scene_file::read(text.as_bytes()).as_ref(), Ok(&scene));
+    let bare = text.replace("\"hidden\": true", "\"locked\": true");
+    assert!(scene_file::read(bare.as_bytes()).is_ok_and(|scene| scene.folders[0].locked && !scene.folders[0].hidden));
+    scene.folders.push(scene.folders[0].clone());
+    scene.clouds[0].folder = Some(FolderId(99));
+    let problems = scene_file::read(scene_file::write(&scene).expect("finite").as_bytes()).expect_err("two faults");
+    for (place, message) in [("clouds[0].folder", "there is no folder 99"), ("folders[1].id", "taken already")] {
+        assert!(
+            problems.iter().any(|problem| problem.place == place && problem.message.contains(message)),
+            "{problems:?}"
+        );
     }
 }
 

@@ -3,7 +3,10 @@
 use crate::Window;
 use cloudwright::command::Command;
 use cloudwright::state::Item;
-use cloudwright_core::scene::Scene;
+use cloudwright_core::arrange::clip;
+use cloudwright_core::formats::scene_clip;
+use cloudwright_core::scene::{Prop, PropId, Scene};
+use cloudwright_tests::small_scenes::crowd;
 use egui::{ColorImage, Event, Key, Modifiers, OutputCommand};
 use std::sync::Arc;
 
@@ -154,6 +157,35 @@ fn anything_else_is_told_and_changes_nothing() {
     assert_eq!(window.file(), start);
     window.paste(&text);
     assert!(!window.shows("a picture is on the clipboard"), "what went well takes the complaints away");
+}
+
+#[test]
+fn an_empty_clipboard_is_told() {
+    let mut window = opened();
+    let start = window.file();
+    window.command(Command::Paste);
+    assert!(window.shows("the clipboard is empty"));
+    assert_eq!(window.file(), start);
+}
+
+#[test]
+fn a_pasted_prop_without_its_file_is_told_with_where_that_was() {
+    let (mut window, folder) = crate::outline::with_scene(&crowd(1));
+    let file = folder.path().join("hill.glb");
+    std::fs::write(&file, include_bytes!("../../../assets/models/aircraft.glb")).expect("writable");
+    let mut other = Scene::default();
+    let prop = Prop::new(PropId::new(&mut other.next_id), "hill.glb", glam::DVec3::ZERO);
+    let thing = Item::Prop(prop.id);
+    other.props.push(prop);
+    let clip = clip::things(&other, &[thing]).expect("a prop");
+    window.paste(&scene_clip::write(&clip).expect("finite"));
+    assert!(window.scene().props.len() == 1 && !window.shows("hill.glb”"), "it lies there");
+    window.select([Item::Prop(window.scene().props[0].id)]);
+    let text = window.clipped(Event::Copy);
+    std::fs::remove_file(&file).expect("it is there");
+    window.paste(&text);
+    assert_eq!(window.scene().props.len(), 2);
+    assert!(window.shows("“hill.glb”") && window.shows("copied from"));
 }
 
 #[test]

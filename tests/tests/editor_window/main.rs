@@ -19,6 +19,7 @@ mod files;
 mod filming;
 mod flight_panel;
 mod flying;
+mod folders;
 mod grabbing;
 mod groups;
 mod help;

@@ -423,3 +423,10 @@ fn ends_and_snapping_by_command_and_a_thing_stops_moving() {
     assert_eq!(window.scene().tracks.len(), 1);
     assert_eq!(window.undo_name().as_deref(), Some("Clear all keys"));
 }
+
+#[test]
+fn a_search_that_finds_no_track_says_so() {
+    let mut window = with_exposure();
+    window.type_into(Role::TextInput, "Find tracks", "zzz");
+    assert!(window.shows("No track matches “zzz”"));
+}

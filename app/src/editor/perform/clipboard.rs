@@ -8,7 +8,10 @@ use crate::editor::Editor;
 use crate::state::Item;
 use cloudwright_core::arrange::clip::{self, Clip, Holds};
 use cloudwright_core::formats::scene_clip;
-use egui::ViewportCommand;
+use cloudwright_core::scene::Scene;
+use egui::{Event, Id, ViewportCommand};
+use std::collections::BTreeSet;
+use std::path::Path;
 
 impl Editor {
     /// Whether the selection is something that can stand on the clipboard.
@@ -64,7 +67,11 @@ impl Editor {
 
     fn put_on_clipboard(&mut self, clip: &Clip, context: &egui::Context) -> bool {
         match scene_clip::write(clip) {
-            Ok(text) => context.copy_text(text),
+            Ok(text) => {
+                let folder = self.session.path().and_then(Path::parent);
+                self.copied_from = folder.map(|folder| (text.clone(), folder.into()));
+                context.copy_text(text);
+            }
             Err(error) => {
                 self.tell_error(format!("Nothing was copied: {error}"));
                 return false;
@@ -76,6 +83,22 @@ impl Editor {
     /// What is on the clipboard comes as an event, as if its keys had been pressed.
     pub(super) fn ask_clipboard(context: &egui::Context) {
         context.send_viewport_cmd(ViewportCommand::RequestPaste);
+        let frame = context.cumulative_frame_nr();
+        context.data_mut(|data| data.insert_temp(asked_in_frame(), frame));
+    }
+
+    /// Of an empty clipboard no event comes.
+    pub(super) fn tell_empty_clipboard(&mut self, context: &egui::Context) {
+        let Some(frame) = context.data(|data| data.get_temp::<u64>(asked_in_frame())) else { return };
+        let is_pasted = |event: &Event| matches!(event, Event::Paste(_) | Event::PasteImage(_));
+        let came = context.input(|input| input.events.iter().any(is_pasted));
+        if !came && context.cumulative_frame_nr() <= frame + 1 {
+            return context.request_repaint();
+        }
+        context.data_mut(|data| data.remove::<u64>(asked_in_frame()));
+        if !came {
+            self.tell_error("Nothing was pasted: the clipboard is empty");
+        }
     }
 
     pub(super) fn paste(&mut self, pasted: Pasted) {
@@ -97,7 +120,32 @@ impl Editor {
         let scene = self.session.scene();
         let model = self.view.selection.model(scene).map(|model| model.id);
         self.arrange_or_tell(Command::Paste, clip::pasted(scene, &clip, model));
+        self.tell_missing_models(&clip.scene, &text);
     }
+
+    /// Which files of pasted props and aircraft don't lie beside this scene, and where they did beside the other.
+    fn tell_missing_models(&mut self, pasted: &Scene, text: &str) {
+        let flying = pasted.aircraft.iter().filter_map(|aircraft| aircraft.model.as_ref());
+        let names: BTreeSet<&String> = flying.chain(pasted.props.iter().map(|prop| &prop.model)).collect();
+        if names.is_empty() {
+            return;
+        }
+        let problems = self.session.load_beside();
+        let from = self.copied_from.as_ref().filter(|(copied, _)| copied == text).map(|(_, folder)| folder.clone());
+        for name in names {
+            if let Some(problem) = problems.iter().find(|problem| problem.message.starts_with(&format!("“{name}”")))
+            {
+                let was = from
+                    .as_ref()
+                    .map_or_else(String::new, |folder| format!(". It was copied from {}", folder.display()));
+                self.tell_error(format!("{} ({}){was}", problem.message, problem.hint));
+            }
+        }
+    }
+}
+
+fn asked_in_frame() -> Id {
+    Id::unique("clipboard was asked")
 }
 
 /// Place, fault and what to do.

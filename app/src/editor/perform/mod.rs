@@ -30,6 +30,7 @@ impl Editor {
         if !actions.is_empty() {
             context.request_repaint();
         }
+        self.tell_empty_clipboard(context);
         for action in actions {
             match action {
                 Action::Command(command) => self.perform(command, context),

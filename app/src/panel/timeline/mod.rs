@@ -19,6 +19,7 @@ mod values;
 use crate::command::{context, give_keys_to_timeline};
 use crate::state::{Action, Choose, Reading, TimelineChange};
 use crate::theme;
+use crate::visible;
 use crate::widget::{context_menu, name_it};
 use curves::Plot;
 use egui::{Rangef, Rect, ScrollArea, Sense, Stroke, TextEdit, Ui, UiBuilder, Vec2, pos2, vec2};
@@ -51,6 +52,9 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
     if reading.session.scene().tracks.is_empty() {
         hint(ui, place.body, "Nothing is keyed yet. Click the diamond beside a value to key it at the clock's time.");
         return;
+    }
+    if lines.tracks.is_empty() {
+        return hint(ui, place.body, &format!("No track matches “{}”", visible::one_line(memory.typed.trim())));
     }
     body(ui, &place, &span, &lines, memory, reading, actions);
 }
