@@ -1,7 +1,7 @@
 //! What is copied to be pasted: a part of a scene that stands by itself, in this scene, another one, or none.
 //!
-//! Clouds are with their models and folders, aircraft with their paths, and all with its tracks. How it is put into a scene again is
-//! [`transfer`]'s; how it is written as text, [`crate::formats::scene_clip`]'s.
+//! Clouds are with their models and folders, aircraft with their paths, and all with its tracks. How it is put into a
+//! scene again is [`transfer`]'s; how it is written as text, [`crate::formats::scene_clip`]'s.
 
 use super::copied::Copied;
 use super::copy::{copy_parts, groups_of, groups_used};

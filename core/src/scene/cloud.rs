@@ -1,6 +1,6 @@
 //! A cloud: a model placed in the scene.
 
-use super::{CloudId, CloudModel, Folder, FolderId, Formation, HasId, HowFarFormed, InScene, Listed, ModelId, Thing};
+use super::{CloudId, CloudModel, FolderId, Formation, HasId, HowFarFormed, InScene, ModelId, Thing};
 use glam::DVec3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -111,6 +111,6 @@ impl InScene for Cloud {
     }
 
     fn keep_in(&mut self, thing: Option<Thing>) {
-        self.folder = thing.and_then(Folder::id_of);
+        self.folder = if let Some(Thing::Folder(id)) = thing { Some(id) } else { None };
     }
 }

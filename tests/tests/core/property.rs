@@ -229,6 +229,7 @@ const LEFT_OUT: &[&str] = &[
     "models[].groups[].id",
     "models[].boxes[].id",
     "models[].boxes[].sprite_edits[].index",
+    "folders[].id",
     "clouds[].id",
     "paths[].id",
     "aircraft[].id",
