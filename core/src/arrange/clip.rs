@@ -274,7 +274,7 @@ mod tests {
         let [first, second] = [0, 1].map(|at| scene.models[at].id);
         let chosen = scene.models[0].boxes[1].id;
         with_tracks(&mut scene, &[format!("model/{first}/box/{chosen}/light/c_max")]);
-        let arrangement = moved(&scene, &[Thing::Box(first, chosen)], second);
+        let arrangement = super::moved(&scene, &[Thing::Box(first, chosen)], second);
         let after = applied(&scene, &arrangement);
         assert_eq!(after.models.iter().map(|model| model.boxes.len()).collect::<Vec<_>>(), [2, 4]);
         let new = &after.models[1].boxes[3];
@@ -283,8 +283,8 @@ mod tests {
         assert_eq!((after.models[1].groups.len(), new.group), (2, Some(after.models[1].groups[1].id)));
         assert_eq!(after.tracks.len(), 1);
         assert_eq!(after.tracks[0].property, format!("model/{second}/box/{}/light/c_max", new.id));
-        assert_eq!(moved(&scene, &[Thing::Box(first, chosen)], first), Arrangement::default());
-        assert_eq!(moved(&scene, &[Thing::Cloud(scene.clouds[0].id)], second), Arrangement::default());
+        assert_eq!(super::moved(&scene, &[Thing::Box(first, chosen)], first), Arrangement::default());
+        assert_eq!(super::moved(&scene, &[Thing::Cloud(scene.clouds[0].id)], second), Arrangement::default());
     }
 
     #[test]
