@@ -206,9 +206,9 @@ fn hidden_locked_and_solo() {
         window.command(Command::Solo);
         assert_eq!((seen(&window), window.drawn()), (2, 6), "in this view");
         if leave == 0 {
-            window.command(Command::Solo)
+            window.command(Command::Solo);
         } else {
-            window.keys(Modifiers::NONE, Key::Escape)
+            window.keys(Modifiers::NONE, Key::Escape);
         }
         assert_eq!(seen(&window), 6);
     }

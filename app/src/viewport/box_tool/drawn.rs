@@ -15,7 +15,7 @@ const HEIGHT_SHARE: f64 = 0.4;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Target {
     /// Into that cloud's model, along its axes.
-    Cloud(Cloud),
+    Cloud(Box<Cloud>),
     /// Into a cloud and a model of its own.
     New,
 }
@@ -26,7 +26,7 @@ impl Target {
         let scene = reading.session.scene();
         let cloud = reading.view.selection.cloud(scene).filter(|cloud| reading.view.can_pick(scene, cloud));
         let cloud = cloud.filter(|cloud| scene.model(cloud.model).is_some() && cloud.scale > 0.0);
-        cloud.map_or(Self::New, |cloud| Self::Cloud(cloud.clone()))
+        cloud.map_or(Self::New, |cloud| Self::Cloud(Box::new(cloud.clone())))
     }
 
     pub(super) fn space(&self) -> ModelSpace {
@@ -181,7 +181,7 @@ mod tests {
         (cloud.heading_deg, cloud.scale) = (40.0, 2.5);
         cloud.position = DVec3::new(1e6, 800.0, -3e6);
         let mut document = Document::new(scene);
-        let target = Target::Cloud(cloud_of(&document));
+        let target = Target::Cloud(Box::new(cloud_of(&document)));
         let from = DVec3::new(1e6 + 300.0, 1200.0, -3e6 + 50.0);
         let mut drawn = Drawn::new(target, from);
         drawn.drag_to(from + DVec3::new(400.0, 0.0, 700.0), None);
