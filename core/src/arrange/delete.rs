@@ -1,8 +1,8 @@
 //! Any mix of things out of the scene, with what hangs on them.
 //!
 //! A model takes its clouds along, a path its aircraft, and everything its tracks; a group sets free the boxes and sprites
-//! that were in it, a folder its clouds; a sprite is dropped by hand, so that it stays away when others are strewn. A model whose last cloud
-//! goes stays: it can be placed again.
+//! that were in it, a folder its clouds; a sprite is dropped by hand, so that it stays away when others are strewn. A model
+//! whose last cloud goes stays: it can be placed again.
 
 use super::copy::groups_of;
 use super::sprites::change_edits;

@@ -1,5 +1,5 @@
-//! What is named must exist: the models and folders of clouds, the paths of aircraft, the groups of boxes and sprites, the sprites
-//! that were edited.
+//! What is named must exist: the models and folders of clouds, the paths of aircraft, the groups of boxes and sprites, the
+//! sprites that were edited.
 
 use super::Problem;
 use super::scope::Scope;

@@ -40,8 +40,8 @@ pub struct Dome {
 }
 
 impl Dome {
-    /// The sky, without a night, over ground of reflectance `albedo`. `turbidity` and `albedo` are clamped to the model's ranges, 1 to
-    /// 10 and 0 to 1.
+    /// The sky, without a night, over ground of reflectance `albedo`. `turbidity` and `albedo` are clamped to the model's
+    /// ranges, 1 to 10 and 0 to 1.
     pub fn new(sun_direction: Vec3, turbidity: f32, albedo: Rgb, gain: f32, directional_max: Rgb) -> Self {
         let elevation_deg = libm::asinf(sun_direction.y.clamp(-1.0, 1.0)).to_degrees();
         let params = SkyParams {

@@ -1,7 +1,8 @@
 //! The background for a whole picture on the CPU.
 //!
 //! The sky changes slowly, so it is evaluated at nodes up to 1.7° apart and interpolated between; near the sun
-//! and moon, and across the horizon, at every pixel. Stars are found once a view and added where they are. The ground's noise runs over a row at a time in loops without branches.
+//! and moon, and across the horizon, at every pixel. Stars are found once a view and added where they are. The ground's
+//! noise runs over a row at a time in loops without branches.
 //! [`Background::color`] is the oracle.
 
 use super::dome::{DomeTables, HORIZON_SINE};

@@ -1,7 +1,9 @@
-//! The scene as a tree: folders with their clouds, models with their boxes, cameras, flights. What a command works on is chosen here.
+//! The scene as a tree: folders with their clouds, models with their boxes, cameras, flights. What a command works on is
+//! chosen here.
 //!
 //! A click chooses; with Ctrl one more, with Shift all up to there; so do the arrow keys. F2 or a double click renames, a
-//! drag gives another place in the list or puts clouds into a folder, the right button offers what can be done. Only the rows in sight are laid out.
+//! drag gives another place in the list or puts clouds into a folder, the right button offers what can be done. Only the
+//! rows in sight are laid out.
 
 mod drag;
 mod lines;
