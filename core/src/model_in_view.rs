@@ -10,7 +10,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeMap;
 use std::sync::{Arc, LazyLock};
 
-/// A mesh and where it is. Only the GPU renderer draws it; those of the CPU leave it out.
+/// A mesh and where it is.
 #[derive(Debug, Clone)]
 pub struct ModelInView {
     /// Its shape and colours.

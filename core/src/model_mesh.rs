@@ -1,4 +1,4 @@
-//! The shape of an aircraft: coloured triangles, as a file's reader makes them and the GPU renderer draws them.
+//! The shape of an aircraft: coloured triangles, as a file's reader makes them and the renderers draw them.
 //!
 //! Three vertices a triangle and none shared, so that flat and smooth faces are the same thing and there is nothing to
 //! look up. Lengths are metres; the axes are glTF's, which are the world's: +y up, and the nose points along −z, which

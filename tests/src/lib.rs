@@ -2,6 +2,7 @@
 
 pub mod atlas;
 pub mod authoring;
+pub mod boards;
 pub mod flip_pairs;
 pub mod gpu;
 pub mod part_edits;

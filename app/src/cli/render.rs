@@ -26,7 +26,7 @@ use std::path::PathBuf;
   cloudwright render storm.cloudscene -o sky.hdr --panorama equirect --size 4096x2048
   cloudwright render storm.cloudscene -o sky.png --panorama cube --size 1024x1024
 
-An OpenEXR or HDR file holds linear light before exposure and tone curve. With --layers an OpenEXR file has, beside the picture in R, G, B: ambient, directional and haze (on the clouds, premultiplied), alpha, depth.Z (mean distance of the clouds, metres), motion.X and .Y (their mean motion in pixels a frame, to the right and up; in a still within 1/24 s), sky, ground (.A is the share of the pixel that it fills), and models, which are empty: only a GPU draws aircraft, and layers are drawn on the CPU. It is picture = ambient + directional + haze + (1 - alpha) * (sky + ground).
+An OpenEXR or HDR file holds linear light before exposure and tone curve. With --layers an OpenEXR file has, beside the picture in R, G, B: ambient, directional and haze (on the clouds, premultiplied), alpha, depth.Z (mean distance of the clouds, metres), motion.X and .Y (their mean motion in pixels a frame, to the right and up; in a still within 1/24 s), sky, ground and models (aircraft and props; .A is the share of the pixel that they fill). It is picture = ambient + directional + haze + (1 - alpha) * (sky + ground + models).
 
 A panorama goes by the world's axes. The equirect map has south (+z) in its middle, east (+x) a quarter to the left and straight up at its top, as OpenEXR's maps of latitude and longitude. Each side of the cube is what a camera of 90 degrees sees, not mirrored: heading 90 for east, 0 for north; up has south at its top, down north.")]
 pub(super) struct Arguments {

@@ -344,7 +344,6 @@ impl Editor {
             charting,
             copied_levels: copied_levels.as_ref(),
             view_heading_deg: viewport.camera().heading_deg,
-            draws_models: viewport.draws_models(),
             levels_shown: layout.shows(Panel::ColorLevels),
             is_recording: recording.is_some(),
             flight_shown: layout.shows(Panel::Flight),

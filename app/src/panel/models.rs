@@ -44,7 +44,4 @@ pub(super) fn prop(ui: &mut Ui, id: PropId, reading: &Reading<'_>, actions: &mut
             actions.push(Action::ChooseModel(Item::Prop(id)));
         }
     });
-    if !reading.draws_models {
-        ui.weak("Only a GPU draws props; here a mark shows where it is.");
-    }
 }

@@ -36,14 +36,12 @@ pub(crate) struct Painter<'a> {
     renderer: Renderer,
     /// Whether the CPU may draw what the renderer can't.
     gives_way: bool,
-    /// Whether it has been said that the CPU leaves models out.
-    has_told: bool,
     tell: &'a dyn Fn(&str),
 }
 
 impl<'a> Painter<'a> {
-    /// The renderer that `painting` asks for, which it tells by name; it draws by `rules`, which come from that. What
-    /// it leaves out it tells too, and that it gives way.
+    /// The renderer that `painting` asks for, which it tells by name; it draws by `rules`, which come from that. That
+    /// it gives way it tells too.
     pub(crate) fn new(painting: &Painting, mut rules: Rules, tell: &'a dyn Fn(&str)) -> Result<Self, RenderError> {
         let method = painting.method;
         let renderer = match method {
@@ -64,7 +62,7 @@ impl<'a> Painter<'a> {
             }
         }
         let gives_way = method.is_none() && painting.renderer == RendererChoice::Auto;
-        Ok(Self { rules, renderer, gives_way, has_told: false, tell })
+        Ok(Self { rules, renderer, gives_way, tell })
     }
 
     /// The picture of `frame`, which was made by the painter's rules. The truth tells `watch` how far it is.
@@ -94,10 +92,6 @@ impl<'a> Painter<'a> {
             }
             self.rules.rasterizer = Rules::SHIPPED.rasterizer;
             frame.rules = self.rules;
-        }
-        if !frame.models.is_empty() && !self.has_told {
-            (self.tell)("aircraft and props are left out: only a GPU draws them");
-            self.has_told = true;
         }
         draw(&mut self.renderer, &frame)
     }

@@ -27,8 +27,6 @@ pub(crate) struct Reading<'a> {
     pub(crate) copied_levels: Option<&'a ColorLevels>,
     /// Clockwise from north: where the viewport looks.
     pub(crate) view_heading_deg: f64,
-    /// Whether what draws the viewport draws aircraft.
-    pub(crate) draws_models: bool,
     /// Whether the panel of colour levels is on the screen.
     pub(crate) levels_shown: bool,
     /// Whether flights by hand are recorded.

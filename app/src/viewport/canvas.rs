@@ -51,11 +51,6 @@ impl Canvas {
         self.picture.own_rules().rasterizer == Rasterizer::Gpu
     }
 
-    /// Whether that draws aircraft too.
-    pub(super) fn draws_models(&self) -> bool {
-        self.picture.is_by_gpu()
-    }
-
     /// How high the lower right corner is covered, points.
     pub(super) fn legend_height(lens: Lens) -> f32 {
         super::lens::legend_height(lens)

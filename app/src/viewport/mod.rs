@@ -171,11 +171,6 @@ impl Viewport {
         self.canvas.has_device()
     }
 
-    /// Whether that draws aircraft too.
-    pub(crate) fn draws_models(&self) -> bool {
-        self.canvas.draws_models()
-    }
-
     /// What the last picture took.
     pub(crate) fn picture_time(&self) -> Option<Duration> {
         self.canvas.time()

@@ -72,11 +72,6 @@ impl PictureSource {
         self.gpu.as_deref().filter(|_| by_gpu)
     }
 
-    /// Whether the device draws.
-    pub(super) fn is_by_gpu(&self) -> bool {
-        self.gpu_in_use().is_some()
-    }
-
     /// What draws.
     pub(super) fn renderer_name(&self) -> String {
         match (self.gpu_in_use(), &self.trouble) {

@@ -1,4 +1,4 @@
-//! Where props stand, as marks: all where nothing draws their shapes, else when one is selected or all outlines are shown.
+//! Where props stand, as marks: when one is selected, or all outlines are shown.
 
 use super::screen::Screen;
 use crate::state::{Item, Reading};
@@ -48,7 +48,7 @@ pub(super) fn under(at: Pos2, screen: &Screen, reading: &Reading<'_>) -> Option<
 
 fn is_marked(prop: &Prop, reading: &Reading<'_>) -> bool {
     let view = reading.view;
-    !reading.draws_models || view.show_all_boxes || view.selection.contains(Item::Prop(prop.id))
+    view.show_all_boxes || view.selection.contains(Item::Prop(prop.id))
 }
 
 /// Where their tracks have them now.

@@ -2,7 +2,7 @@
 //!
 //! Layers are channels of one part, named by OpenEXR's custom (`sky.R`, `depth.Z`), so that a program that knows only
 //! R, G, B and A shows the picture. They are listed in [`LAYERS`]; the picture is
-//! ambient + directional + haze + (1 − alpha) · (sky + ground). The same picture gives the same bytes: what
+//! ambient + directional + haze + (1 − alpha) · (sky + ground + models). The same picture gives the same bytes: what
 //! is said about it stands in attributes of their own order.
 
 use crate::camera::{NEAR_M, View};
@@ -69,11 +69,10 @@ pub const LAYERS: [Channel<LayeredPixel>; 28] = [
     ("ground.G", |p| p.ground.g, false),
     ("ground.B", |p| p.ground.b, false),
     ("ground.A", |p| p.ground_share, false),
-    // Only a GPU draws aircraft, and that keeps no layers: the room for them is empty.
-    ("models.R", |_| 0.0, false),
-    ("models.G", |_| 0.0, false),
-    ("models.B", |_| 0.0, false),
-    ("models.A", |_| 0.0, false),
+    ("models.R", |p| p.models.r, false),
+    ("models.G", |p| p.models.g, false),
+    ("models.B", |p| p.models.b, false),
+    ("models.A", |p| p.models_share, false),
 ];
 
 /// Pixels whose channels are told apart at once: they stay in a core's cache.

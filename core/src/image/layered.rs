@@ -3,10 +3,10 @@
 //! Clouds are premultiplied, what is behind them is not, so that either can be changed or replaced:
 //!
 //! ```text
-//! picture = ambient + directional + haze + (1 − alpha) · (sky + ground)
+//! picture = ambient + directional + haze + (1 − alpha) · (sky + ground + models)
 //! ```
 //!
-//! Sky and ground are black where the other is. Depth and motion are sums over the clouds, each weighted by how much of
+//! Sky, ground and models are black where another of them is; clouds show as far as they lie before the models. Depth and motion are sums over the clouds, each weighted by how much of
 //! it shows; divided by alpha they are means.
 
 use super::{LinearPicture, reduced};
@@ -46,6 +46,10 @@ pub struct LayeredPixel {
     pub ground: Rgb,
     /// How much of the pixel the ground fills.
     pub ground_share: f32,
+    /// Aircraft and props without clouds, hazed.
+    pub models: Rgb,
+    /// How much of the pixel they fill.
+    pub models_share: f32,
 }
 
 /// Numbers in a pixel.
@@ -57,7 +61,7 @@ const HARDLY: f32 = 1e-4;
 impl LayeredPixel {
     /// The picture, from its layers.
     pub fn composed(&self) -> Rgb {
-        self.ambient + self.directional + self.haze + (self.sky + self.ground) * (1.0 - self.alpha)
+        self.ambient + self.directional + self.haze + (self.sky + self.ground + self.models) * (1.0 - self.alpha)
     }
 
     /// Mean distance of the clouds from the eye, metres; 0 where there are none.
@@ -75,8 +79,8 @@ impl LayeredPixel {
     }
 
     fn with_background_times(mut self, share: f32) -> Self {
-        (self.sky, self.ground) = (self.sky * share, self.ground * share);
-        self.ground_share *= share;
+        (self.sky, self.ground, self.models) = (self.sky * share, self.ground * share, self.models * share);
+        (self.ground_share, self.models_share) = (self.ground_share * share, self.models_share * share);
         self
     }
 }

@@ -39,7 +39,7 @@ impl<'a> Later<'a> {
 }
 
 /// The frame in layers, with pixels done when less than `stop_below` gets through. Motion is that until `later`, of
-/// the same scene. Aircraft are not among them: the CPU draws none.
+/// the same scene.
 pub fn layers(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
     faded(frame, |frame| in_order(frame, later, stop_below), Layers::mix)
 }
@@ -57,7 +57,7 @@ fn in_order(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
         veil: ([ambient, frame.veil_directional, Rgb::BLACK, Rgb::BLACK], veil.a),
     };
     let background = BackgroundRows::new(&frame.background, &frame.view);
-    let finish = |rect: TileRect, row: u32, clouds: &TileRow<LIGHTS>, out: &mut [LayeredPixel]| {
+    let finish = |rect: TileRect, row: u32, clouds: &TileRow<'_, LIGHTS>, out: &mut [LayeredPixel]| {
         let (left, y) = (rect.left, rect.top + row);
         let mut behind: Planes<32> = [[0.0; 32]; 3];
         background.row(left, y, out.len(), &mut behind);
@@ -66,7 +66,13 @@ fn in_order(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
                 clouds.lights.each_ref().map(|light| light.each_ref().map(|plane| plane[x]));
             let [r, g, b] = behind.each_ref().map(|plane| plane[x]);
             let (behind, is_ground) = (Rgb::new(r, g, b), background.is_ground(left + x as u32, y));
-            let (sky, ground) = if is_ground { (Rgb::BLACK, behind) } else { (behind, Rgb::BLACK) };
+            let model = clouds.model(x);
+            let is_ground = is_ground && model.is_none();
+            let (sky, ground) = match (&model, is_ground) {
+                (Some(_), _) => (Rgb::BLACK, Rgb::BLACK),
+                (None, true) => (Rgb::BLACK, behind),
+                (None, false) => (behind, Rgb::BLACK),
+            };
             let [ambient, directional, haze] = [ambient, directional, haze].map(|[r, g, b]| Rgb::new(r, g, b));
             *pixel = LayeredPixel {
                 ambient,
@@ -78,6 +84,8 @@ fn in_order(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
                 sky,
                 ground,
                 ground_share: if is_ground { 1.0 } else { 0.0 },
+                models: model.unwrap_or(Rgb::BLACK),
+                models_share: if model.is_some() { 1.0 } else { 0.0 },
             };
         }
     };

@@ -3,11 +3,12 @@
 //! [`fast`] draws in sorted order, in tiles on all cores, front to back, and stops where nothing more shows through.
 //! [`plain`] draws the same one fragment at a time and is its oracle. [`truth`] orders every ray's own fragments and
 //! is what error figures are measured against. All three share sprites on the screen ([`prepare()`]) and one definition
-//! of a fragment ([`ScreenSprite::fragment`]).
+//! of a fragment ([`ScreenSprite::fragment`]). What [`models`] there are stands behind and among the sprites.
 
 pub(crate) mod bins;
 pub mod fast;
 pub mod layers;
+pub mod models;
 pub mod plain;
 mod prepare;
 pub mod truth;

@@ -47,6 +47,8 @@ pub struct ScreenSprite {
     pub v: Linear,
     /// View depth times the denominator, metres.
     pub depth: f32,
+    /// Half of how deep it is among models, metres.
+    pub half_depth_m: f32,
     /// 0 to 15.
     pub tile: u8,
     /// Texels across a pixel at view depth 1 m.
@@ -138,6 +140,7 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite, fade:
         u: plane.coordinate(facing.right, sprite.width),
         v: plane.coordinate(-facing.up, sprite.height),
         depth: plane.offset as f32,
+        half_depth_m: 0.5 * sprite.width.min(sprite.height),
         tile: sprite.tile,
         texels_a_pixel,
         mip,

@@ -4,7 +4,8 @@
 //! has `side` × `side` samples; at each, the fragments are sorted by their own depth along the ray (ties by the
 //! sprite's place in the scene) and blended in f32, all that a f32 can tell. Of a list's runs it takes the sprites, unfaded. Texels are filtered for the sample's footprint.
 
-use super::bins::{TILE, assemble, map_tiles};
+use super::bins::{TILE, TileRect, assemble, map_tiles};
+use super::models::{ModelTile, Models, before};
 use super::plain::put_behind;
 use super::{Hit, ScreenSprite, prepare_alone};
 use crate::color::{Premultiplied, Rgb};
@@ -35,13 +36,16 @@ pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, watch: &Watch) -> (Linea
     let (width, height) = (frame.view.width, frame.view.height);
     let alone = frame.list.sprites_alone();
     let (sprites, places) = (prepare_alone(frame, alone), places_in_scene(alone));
+    let models = Models::new(frame);
     let (done, count) =
         (AtomicUsize::new(0), width.div_ceil(TILE as u32) as usize * height.div_ceil(TILE as u32) as usize);
     let drawn = map_tiles(&sprites, width, height, |rect, members| {
         if watch.is_cancelled() {
             return vec![Pixel::default(); (rect.width * rect.height) as usize];
         }
-        let tile = Tile { frame, sprites: &sprites, places: &places, members, side: side.max(1) };
+        let side = side.max(1);
+        let models = models.as_ref().and_then(|models| models.tile(rect, side));
+        let tile = Tile { frame, sprites: &sprites, places: &places, members, side, rect, models };
         let pixels = (0..rect.width * rect.height)
             .map(|i| tile.pixel(rect.left + i % rect.width, rect.top + i / rect.width))
             .collect();
@@ -88,6 +92,8 @@ struct Tile<'a> {
     places: &'a [[u32; 2]],
     members: &'a [u32],
     side: u32,
+    rect: TileRect,
+    models: Option<ModelTile>,
 }
 
 impl Tile<'_> {
@@ -102,22 +108,43 @@ impl Tile<'_> {
         };
         let members: Vec<u32> = self.members.iter().filter(touches).copied().collect();
         let mut hits = Vec::new();
-        let samples =
-            (0..side * side).map(|i| self.sample(&members, [at(x, i % side), at(y, i / side)], spacing, &mut hits));
+        let samples = (0..side * side).map(|i| {
+            let place = |pixel: u32, start: u32, i: u32| ((pixel - start) * side + i) as usize;
+            let (column, row) = (place(x, self.rect.left, i % side), place(y, self.rect.top, i / side));
+            let model = self.models.as_ref().and_then(|models| models.at(column, row));
+            self.sample(&members, [at(x, i % side), at(y, i / side)], spacing, model, &mut hits)
+        });
         samples.fold(Pixel::default(), Pixel::plus).times(spacing * spacing)
     }
 
-    fn sample(&self, members: &[u32], [x, y]: [f32; 2], spacing: f32, hits: &mut Vec<(Hit, u32)>) -> Pixel {
+    fn sample(
+        &self,
+        members: &[u32],
+        [x, y]: [f32; 2],
+        spacing: f32,
+        model: Option<(f32, Rgb)>,
+        hits: &mut Vec<(Hit, u32)>,
+    ) -> Pixel {
         let view = &self.frame.view;
         hits.clear();
         hits.extend(members.iter().filter_map(|&member| Some((self.sprites[member as usize].hit(x, y)?, member))));
+        let clouds = self.blended(hits, spacing, None);
+        let Some((nearness, color)) = model else {
+            let behind = self.frame.background.color(view.ray(x, y), view.pixel() * spacing);
+            return Pixel { color: clouds.over(behind), clouds };
+        };
+        Pixel { color: self.blended(hits, spacing, Some(nearness)).over(color), clouds }
+    }
+
+    /// The fragments that a ray `hits`, over one another; as far as they lie before a model, if there is one.
+    fn blended(&self, hits: &mut [(Hit, u32)], spacing: f32, model_nearness: Option<f32>) -> Premultiplied {
         // Nearest first; of equally near ones the list draws the later one over the earlier.
         let place = |member: u32| self.places[member as usize];
         let compare = |(a, i): &(Hit, u32), (b, j): &(Hit, u32)| {
             a.depth.total_cmp(&b.depth).then_with(|| place(*j).cmp(&place(*i)))
         };
         let mut clouds = self.frame.veil;
-        let (mut rest, mut at_once) = (hits.as_mut_slice(), AT_ONCE);
+        let (mut rest, mut at_once) = (hits, AT_ONCE);
         // Of hundreds, a few dozen mostly hide all others: only those are put in order.
         while !rest.is_empty() && 1.0 - clouds.a >= LOST {
             let count = at_once.min(rest.len());
@@ -128,13 +155,13 @@ impl Tile<'_> {
             nearest.sort_unstable_by(compare);
             for (Hit { u, v, depth }, member) in nearest.iter() {
                 let sprite = &self.sprites[*member as usize];
-                if let Some(fragment) = sprite.shown(self.frame.atlas, *u, *v, sprite.mip_at(*depth, spacing)) {
-                    put_behind(&mut clouds, fragment);
-                }
+                let shown = sprite.shown(self.frame.atlas, *u, *v, sprite.mip_at(*depth, spacing));
+                let Some(fragment) = shown else { continue };
+                let among = |near| before(fragment, near, *depth, sprite.half_depth_m);
+                put_behind(&mut clouds, model_nearness.map_or(fragment, among));
             }
             (rest, at_once) = (farther, 2 * at_once);
         }
-        let color = clouds.over(self.frame.background.color(view.ray(x, y), view.pixel() * spacing));
-        Pixel { color, clouds }
+        clouds
     }
 }

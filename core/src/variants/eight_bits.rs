@@ -5,26 +5,33 @@ use crate::color::{Premultiplied, Rgb, linear_from_srgb};
 use crate::frame::Frame;
 use crate::image::LinearPicture;
 use crate::raster::bins::{assemble, map_tiles};
+use crate::raster::models::{Models, before};
 use crate::raster::prepare;
 
 /// The frame over its background in linear light, every blend stored as 8-bit sRGB; white is the most that it holds.
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
     let (width, height) = (frame.view.width, frame.view.height);
     let bytes = Bytes::new();
-    let background = |i: u32| {
-        let ray = frame.view.ray((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
-        bytes.stored(frame.background.color(ray, frame.view.pixel()) * frame.now.exposure)
+    let background = |x: u32, y: u32| {
+        let ray = frame.view.ray(x as f32 + 0.5, y as f32 + 0.5);
+        frame.background.color(ray, frame.view.pixel())
     };
-    let sprites = prepare(frame);
+    let (sprites, models) = (prepare(frame), Models::new(frame));
     let tiles = map_tiles(&sprites, width, height, |rect, members| {
+        let models = models.as_ref().and_then(|models| models.tile(rect, 1));
         let pixel = |i: u32| {
-            let (x, y) = (rect.left + i % rect.width, rect.top + i / rect.width);
+            let (column, row) = (i % rect.width, i / rect.width);
+            let (x, y) = (rect.left + column, rect.top + row);
+            let model = models.as_ref().and_then(|models| models.at(column as usize, row as usize));
             let shown = members.iter().rev().filter_map(|&member| {
                 let sprite = &sprites[member as usize];
-                Some(sprite.fragment(frame.atlas, x as f32 + 0.5, y as f32 + 0.5, |_| sprite.mip)?.0)
+                let (fragment, depth) = sprite.fragment(frame.atlas, x as f32 + 0.5, y as f32 + 0.5, |_| sprite.mip)?;
+                let among = |(near, _)| before(fragment, near, depth, sprite.half_depth_m);
+                Some(model.map_or(fragment, among))
             });
             let over = |behind, fragment| bytes.blended(fragment, behind, frame.now.exposure);
-            shown.chain([frame.veil]).fold(background(y * width + x), over) * (1.0 / frame.now.exposure)
+            let behind = model.map_or_else(|| background(x, y), |(_, color)| color) * frame.now.exposure;
+            shown.chain([frame.veil]).fold(bytes.stored(behind), over) * (1.0 / frame.now.exposure)
         };
         (0..rect.width * rect.height).map(pixel).collect()
     });

@@ -6,10 +6,11 @@ use cloudwright_core::draw;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::{LayeredPixel, Layers, LinearPicture};
+use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::raster::fast;
 use cloudwright_core::raster::layers::{Later, layers};
 use cloudwright_core::rules::{NEVER_STOP, Rules, STOP_BELOW};
-use cloudwright_core::scene::{Camera, Scene};
+use cloudwright_core::scene::{Camera, Prop, PropId, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::tone::tone_curve;
@@ -51,6 +52,11 @@ fn looks() -> Vec<(String, Scene, Sight)> {
         }
     }
     let mut scene = heap(40);
+    let mut with_prop = Sight::still(&scene.cameras[0], SIZE);
+    with_prop.meshes.insert("own.glb".into(), (*Meshes::built_in()).clone());
+    let mut propped = scene.clone();
+    propped.props.push(Prop { scale: 20.0, ..Prop::new(PropId(900), "own.glb", DVec3::new(0.0, 1000.0, 80.0)) });
+    looks.push(("a model in the cloud".into(), propped, with_prop));
     let camera = within(&scene);
     for (name, haze_length_m) in [("inside", 20_000.0), ("inside, in thick haze", 400.0)] {
         (scene.sky.haze_length_m, scene.sky.inside_density) = (haze_length_m, 1.0);
@@ -70,7 +76,7 @@ fn within(scene: &Scene) -> Camera {
 
 #[test]
 fn layers_sum_to_the_picture() {
-    let (mut hazed, mut veiled, mut grounded) = (0, 0, 0);
+    let (mut hazed, mut veiled, mut grounded, mut flown) = (0, 0, 0, 0);
     for (name, scene, sight) in looks() {
         with_layers(&scene, [&sight, &sight], |frame, layers| {
             let picture = draw::linear(frame, &Watch::default()).expect("drawn fast");
@@ -79,11 +85,13 @@ fn layers_sum_to_the_picture() {
             hazed += usize::from(layers.pixels.iter().any(|pixel| pixel.haze.b > 0.05));
             veiled += usize::from(frame.veil.a > 0.01);
             grounded += usize::from(layers.pixels.iter().any(|pixel| pixel.ground_share == 1.0));
-            let apart = |p: &LayeredPixel| p.sky == Rgb::BLACK || p.ground == Rgb::BLACK;
-            assert!(layers.pixels.iter().all(apart), "{name}: sky or ground");
+            flown += usize::from(layers.pixels.iter().any(|pixel| pixel.models_share == 1.0));
+            let seen = |p: &LayeredPixel| [p.sky, p.ground, p.models].iter().filter(|c| **c != Rgb::BLACK).count();
+            assert!(layers.pixels.iter().all(|pixel| seen(pixel) <= 1), "{name}: sky, ground or a model");
         });
     }
-    assert!(hazed > 4 && veiled == 2 && grounded > 4, "{hazed}, {veiled}, {grounded}: all kinds are among them");
+    let counts = [hazed, veiled, grounded, flown];
+    assert!(hazed > 4 && veiled == 2 && grounded > 4 && flown == 1, "{counts:?}: all kinds are among them");
 }
 
 /// Also where each pixel is a mean, and where another order fades out.

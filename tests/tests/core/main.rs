@@ -16,6 +16,7 @@ mod layers;
 mod measure;
 mod method;
 mod model_glb;
+mod models;
 mod night;
 mod panorama;
 mod parts;

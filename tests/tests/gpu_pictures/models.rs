@@ -2,67 +2,23 @@
 //! blended over it by the share of its depth that lies before the board.
 
 use super::{BACKGROUND, CLOUDS_LARGEST, CLOUDS_MEAN, Outcome, ensure, place};
-use cloudwright_core::color::{Premultiplied, Rgb};
+use cloudwright_core::color::Rgb;
 use cloudwright_core::frame::Frame;
-use cloudwright_core::image::LinearPicture;
 use cloudwright_core::model_in_view::{Meshes, ModelInView};
-use cloudwright_core::model_mesh::{ModelMesh, ModelVertex};
-use cloudwright_core::raster::prepare;
-use cloudwright_core::sky::haze_share;
+use cloudwright_core::raster::plain;
 use cloudwright_render::{Gpu, GpuRenderer};
+use cloudwright_tests::boards::{Board, ray};
 use cloudwright_tests::gpu::cases;
-use glam::{Quat, Vec3};
-use std::f32::consts::FRAC_PI_2;
-use std::sync::Arc;
+use glam::{EulerRot, Quat, Vec3};
 
 /// The name of each test and what it checks.
-pub const TESTS: [(&str, fn(&Gpu, &mut GpuRenderer) -> Outcome); 4] = [
+pub const TESTS: [(&str, fn(&Gpu, &mut GpuRenderer) -> Outcome); 5] = [
     ("a_model_before_within_and_behind_clouds", among_clouds),
     ("the_nearer_model_hides_the_farther", nearer_hides),
     ("clouds_alone_know_no_models", clouds_alone),
     ("an_aircraft_around_the_eye_is_drawn", around_the_eye),
+    ("an_aircraft_is_drawn_as_by_the_cpu", as_by_the_cpu),
 ];
-
-/// Of the sky's light, what comes to a face that looks level: half-way between that to the top and the ground's 0.45
-/// (models.wgsl).
-const SKY_TO_A_WALL: f32 = 0.725;
-
-/// A board whose front looks south, to a camera that looks north.
-#[derive(Clone, Copy)]
-struct Board {
-    depth_m: f32,
-    half_side_m: f32,
-    color: Rgb,
-}
-
-impl Board {
-    /// A square metre that lies flat, made larger and set upright by the model's place.
-    fn model(&self) -> ModelInView {
-        let corner = |x, z| ModelVertex { position: Vec3::new(x, 0.0, z), normal: Vec3::Y, color: self.color };
-        let [a, b, c, d] = [corner(-0.5, 0.5), corner(0.5, 0.5), corner(0.5, -0.5), corner(-0.5, -0.5)];
-        ModelInView {
-            mesh: Arc::new(ModelMesh::new(vec![a, b, c, a, c, d])),
-            from_eye: Vec3::NEG_Z * self.depth_m,
-            turn: Quat::from_rotation_x(FRAC_PI_2),
-            scale: 2.0 * self.half_side_m,
-        }
-    }
-
-    /// How far within the board the ray meets its plane, metres; outside if negative.
-    fn within(&self, ray: Vec3) -> f32 {
-        self.half_side_m - (ray * self.depth_m).truncate().abs().max_element()
-    }
-
-    fn shows(&self, frame: &Frame<'_>, ray: Vec3) -> Rgb {
-        let (light, point) = (&frame.now.light, ray * self.depth_m);
-        let sun = light.directional_max * light.sun_direction.dot(Vec3::Z).max(0.0);
-        let lit = self.color * (sun + light.ambient_max.rgb * SKY_TO_A_WALL);
-        let hazed = haze_share(point.length(), frame.background.haze_length_m);
-        lit.mix(frame.background.dome.horizon(point), hazed)
-    }
-}
-
-const BOARD: Board = Board { depth_m: 0.0, half_side_m: 0.0, color: Rgb::new(0.6, 0.3, 0.1) };
 
 /// Gives `check` the frame of the case that looks level to the north, at clouds 1,800 m and 4,300 m away.
 fn level_north(check: impl FnOnce(&Frame<'_>) -> Outcome) -> Outcome {
@@ -74,9 +30,9 @@ fn level_north(check: impl FnOnce(&Frame<'_>) -> Outcome) -> Outcome {
 fn among_clouds(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
         for depth_m in [400.0, 1750.0, 3000.0, 9000.0] {
-            let board = Board { depth_m, half_side_m: 0.15 * depth_m, ..BOARD };
+            let board = Board::at(depth_m, 0.15);
             let with_board = Frame { models: vec![board.model()], ..frame.clone() };
-            let (want, got) = (wanted(frame, board), renderer.linear_picture(gpu, &with_board)?);
+            let (want, got) = (board.among_clouds(frame), renderer.linear_picture(gpu, &with_board)?);
             let (mut sum, mut count) = (0.0, 0);
             for (i, (want, got)) in want.pixels.iter().zip(&got.pixels).enumerate() {
                 let edge = 1.5 * frame.view.pixel() * depth_m;
@@ -95,36 +51,6 @@ fn among_clouds(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
         }
         Ok(())
     })
-}
-
-/// Sky and board, and over them the sprites: each for itself, back to front.
-fn wanted(frame: &Frame<'_>, board: Board) -> LinearPicture {
-    let (width, height) = (frame.view.width, frame.view.height);
-    let footprint = frame.view.pixel();
-    let behind = |i: usize| {
-        let ray = ray(frame, i);
-        let on_board = board.within(ray) > 0.0;
-        if on_board { board.shows(frame, ray) } else { frame.background.color(ray, footprint) }
-    };
-    let mut pixels: Vec<Rgb> = (0..(width * height) as usize).map(behind).collect();
-    for (drawn, shown) in frame.list.sprites.iter().zip(prepare(frame)) {
-        let sprite = &frame.clouds[drawn.cloud as usize].sprites[drawn.sprite as usize];
-        let half_depth = 0.5 * sprite.width.min(sprite.height);
-        for (i, pixel) in pixels.iter_mut().enumerate() {
-            let [x, y] = place(frame, i).map(|place| place as f32 + 0.5);
-            let Some((fragment, depth)) = shown.fragment(frame.atlas, x, y, |_| shown.mip) else { continue };
-            let on_board = board.within(ray(frame, i)) > 0.0;
-            let share = if on_board { (0.5 + 0.5 * (board.depth_m - depth) / half_depth).clamp(0.0, 1.0) } else { 1.0 };
-            let Premultiplied { r, g, b, a } = fragment;
-            *pixel = Premultiplied { r: r * share, g: g * share, b: b * share, a: a * share }.over(*pixel);
-        }
-    }
-    LinearPicture { width, height, pixels }
-}
-
-fn ray(frame: &Frame<'_>, i: usize) -> Vec3 {
-    let [x, y] = place(frame, i);
-    frame.view.ray(x as f32 + 0.5, y as f32 + 0.5)
 }
 
 /// In either order, and a metre apart at a kilometre.
@@ -153,7 +79,7 @@ fn nearer_hides(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
 
 fn clouds_alone(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
-        let board = Board { depth_m: 500.0, half_side_m: 300.0, ..BOARD };
+        let board = Board::at(500.0, 0.6);
         let with_board = Frame { models: vec![board.model()], ..frame.clone() };
         let [without, with] = [renderer.clouds(gpu, frame)?, renderer.clouds(gpu, &with_board)?];
         ensure(without == with, "a model left a mark on the clouds")?;
@@ -170,5 +96,25 @@ fn around_the_eye(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
         let (outside, inside) = (renderer.linear_picture(gpu, frame)?, renderer.linear_picture(gpu, &cockpit)?);
         ensure(outside != inside, "nothing of the aircraft shows")?;
         ensure(inside.pixels.iter().all(|pixel| pixel.to_array().iter().all(|c| c.is_finite())), "not a number")
+    })
+}
+
+/// A GPU moves corners to 256ths of a pixel, so of the pixels through which edges go one in hundreds shows another face;
+/// an aircraft that fills a picture of 192 × 128 pixels has some thousands of those.
+fn as_by_the_cpu(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
+    level_north(|frame| {
+        for (distance_m, scale) in [(14.0, 1.0), (1750.0, 60.0)] {
+            let turn = Quat::from_euler(EulerRot::YXZ, 0.7, 0.3, 0.2);
+            let (mesh, from_eye) = (Meshes::built_in(), Vec3::new(0.0, -0.5, -distance_m));
+            let frame = Frame { models: vec![ModelInView { mesh, from_eye, turn, scale }], ..frame.clone() };
+            let (want, got) = (plain::linear_picture(&frame), renderer.linear_picture(gpu, &frame)?);
+            let off = |(want, got): (&Rgb, &Rgb)| {
+                let off = want.to_array().into_iter().zip(got.to_array()).map(|(a, b)| (a - b).abs() - BACKGROUND * a);
+                off.fold(0.0, f32::max) > CLOUDS_LARGEST
+            };
+            let count = want.pixels.iter().zip(&got.pixels).filter(|(want, got)| off((want, got))).count();
+            ensure(count <= 40, &format!("{count} pixels are off at {distance_m} m"))?;
+        }
+        Ok(())
     })
 }

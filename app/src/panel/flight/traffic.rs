@@ -16,16 +16,12 @@ pub(super) fn show(ui: &mut Ui, path: &CameraPath, reading: &Reading<'_>, action
     if here.is_empty() {
         ui.weak("None flies along this path.");
     }
-    let is_only_marked = !here.is_empty() && !reading.draws_models;
     Grid::new("traffic").num_columns(4).show(ui, |ui| {
         for aircraft in here {
             line(ui, aircraft, reading, actions);
             ui.end_row();
         }
     });
-    if is_only_marked {
-        ui.weak("Only a GPU draws aircraft; here a mark shows where they are.");
-    }
     button(ui, Command::AddAircraft, "Add aircraft", "Add aircraft to the path", false, actions);
 }
 

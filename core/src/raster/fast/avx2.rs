@@ -150,12 +150,29 @@ fn draw<const GREY: bool, const G: usize>(
                 let before = _mm256_cmp_ps::<_CMP_GE_OQ>(depth, _mm256_set1_ps(NEAR_M));
                 texel = texel.map(|channel| _mm256_and_ps(channel, before));
             }
+            if let Some(models) = &tile.models {
+                let nearness = models.nearness(group * LANES, row);
+                let share = before_models(nearness, _mm256_mul_ps(_mm256_set1_ps(sprite.depth), inverse), sprite);
+                texel = texel.map(|channel| _mm256_mul_ps(channel, share));
+            }
             let through = blend(tile, row * (TILE / LANES) + group, &constants, texel, u, v);
             if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GE_OQ>(through, stop_below)) == 0 {
                 tile.close(row, group);
             }
         }
     }
+}
+
+/// As [`super::super::models::share_before`], of eight pixels.
+#[target_feature(enable = "avx2,fma")]
+#[inline]
+fn before_models(nearness: &[f32], depth: __m256, sprite: &ScreenSprite) -> __m256 {
+    let nearness: [f32; LANES] = std::array::from_fn(|lane| nearness[lane]);
+    let (half, one) = (_mm256_set1_ps(0.5), _mm256_set1_ps(1.0));
+    let between = _mm256_sub_ps(_mm256_div_ps(one, must_cast(nearness)), depth);
+    let share = _mm256_fmadd_ps(between, _mm256_set1_ps(0.5 / sprite.half_depth_m), half);
+    // Of what is no number, min gives the second.
+    _mm256_max_ps(_mm256_min_ps(share, one), _mm256_setzero_ps())
 }
 
 /// Adds eight fragments of `texel` (alpha, red, green, blue) lit by the corners' lights at (u, v), and gives what still

@@ -1,6 +1,7 @@
 //! How sprites are drawn into a tile: eight pixels at once where the processor can, else one by one.
 
 use super::super::bins::{TILE, TileRect};
+use super::super::models::share_before;
 use super::super::{Glow, Hit, ScreenSprite};
 use super::tile::{LANES, Spans, Tile, bits};
 use crate::sprites::Atlas;
@@ -57,11 +58,13 @@ impl<'a> Blender<'a> {
             for group in bits(tile.open_groups(row, &span)) {
                 for x in (group * LANES..(group + 1) * LANES).filter(|x| span.contains(x)) {
                     let (pixel_x, pixel_y) = (rect.left as f32 + x as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
-                    let Some(Hit { u, v, .. }) = sprite.hit(pixel_x, pixel_y) else { continue };
+                    let Some(Hit { u, v, depth }) = sprite.hit(pixel_x, pixel_y) else { continue };
                     let shown = sprite.shown_by(lights, self.atlas, (u, v), sprite.mip);
                     let Some((colors, alpha)) = shown else { continue };
+                    let model = tile.models.as_ref().and_then(|models| models.at(x, row));
+                    let share = model.map_or(1.0, |(near, _)| share_before(near, depth, sprite.half_depth_m));
                     let at = row * TILE / LANES + group;
-                    let through = tile.through[at][x % LANES];
+                    let through = tile.through[at][x % LANES] * share;
                     let planes = tile.lights.as_flattened_mut().iter_mut();
                     for (plane, value) in planes.zip(colors.as_flattened()) {
                         plane[at][x % LANES] += through * value;

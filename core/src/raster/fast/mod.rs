@@ -11,6 +11,7 @@ mod blender;
 mod tile;
 
 use super::bins::{TILE, TileRect, assemble, map_tiles};
+use super::models::{ModelTile, Models};
 use super::{Glow, ScreenSprite, develop, faded, prepare};
 use crate::color::{Premultiplied, Rgb};
 use crate::frame::Frame;
@@ -34,11 +35,12 @@ pub fn picture_stopping(frame: &Frame<'_>, stop_below: f32) -> Picture {
         return develop(&linear_picture_stopping(frame, stop_below), frame.now.exposure);
     }
     let background = BackgroundRows::new(&frame.background, &frame.view);
-    let finish = |rect: TileRect, row: u32, clouds: &TileRow<1>, out: &mut [[u8; 4]]| {
+    let finish = |rect: TileRect, row: u32, clouds: &TileRow<'_, 1>, out: &mut [[u8; 4]]| {
         let exposed = over_background(&background, (rect, row), clouds, stop_below, frame.now.exposure);
         encode_row(&exposed, rect.left, rect.top + row, out);
     };
-    let pixels = draw(&Blender::new(frame.atlas), frame, stop_below, [0; 4], finish);
+    let among = Models::new(frame);
+    let pixels = draw(&Blender::new(frame.atlas), (frame, among.as_ref()), stop_below, [0; 4], finish);
     Picture { width: frame.view.width, height: frame.view.height, pixels }
 }
 
@@ -49,18 +51,28 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
 
 /// As [`linear_picture`], with pixels done when less than `stop_below` gets through.
 pub fn linear_picture_stopping(frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
-    faded(frame, |frame| linear_in_order(frame, stop_below), LinearPicture::mix)
+    linear_by(&Blender::new(frame.atlas), frame, stop_below)
 }
 
-fn linear_in_order(frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
+/// The same, as a processor without wide instructions draws it.
+pub fn linear_picture_one_by_one(frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
+    linear_by(&Blender::one_by_one(frame.atlas), frame, stop_below)
+}
+
+fn linear_by(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
+    faded(frame, |frame| linear_in_order(blender, frame, stop_below), LinearPicture::mix)
+}
+
+fn linear_in_order(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> LinearPicture {
     let background = BackgroundRows::new(&frame.background, &frame.view);
-    let finish = |rect: TileRect, row: u32, clouds: &TileRow<1>, out: &mut [Rgb]| {
+    let finish = |rect: TileRect, row: u32, clouds: &TileRow<'_, 1>, out: &mut [Rgb]| {
         let [r, g, b] = over_background(&background, (rect, row), clouds, stop_below, 1.0);
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Rgb::new(r[x], g[x], b[x]);
         }
     };
-    let pixels = draw(&Blender::new(frame.atlas), frame, stop_below, Rgb::BLACK, finish);
+    let among = Models::new(frame);
+    let pixels = draw(blender, (frame, among.as_ref()), stop_below, Rgb::BLACK, finish);
     LinearPicture { width: frame.view.width, height: frame.view.height, pixels }
 }
 
@@ -80,30 +92,35 @@ fn clouds_by(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer
 }
 
 fn clouds_in_order(blender: &Blender<'_>, frame: &Frame<'_>, stop_below: f32) -> Layer {
-    let finish = |_, _, TileRow { lights: [[r, g, b]], through }: &TileRow<1>, out: &mut [Premultiplied]| {
+    let finish = |_, _, TileRow { lights: [[r, g, b]], through, .. }: &TileRow<'_, 1>, out: &mut [Premultiplied]| {
         for (x, pixel) in out.iter_mut().enumerate() {
             *pixel = Premultiplied { r: r[x], g: g[x], b: b[x], a: 1.0 - through[x] };
         }
     };
-    let pixels = draw(blender, frame, stop_below, Premultiplied::CLEAR, finish);
+    let pixels = draw(blender, (frame, None), stop_below, Premultiplied::CLEAR, finish);
     Layer { width: frame.view.width, height: frame.view.height, pixels }
 }
 
-/// A tile's row over what lies behind it, times `gain`. Where all pixels of the row let less than `stop_below` through,
-/// nothing is put behind, but for the sun.
+/// A tile's row over what lies behind it, models too, times `gain`. Where all pixels of the row let less than `stop_below`
+/// through, nothing is put behind, but for the sun.
 fn over_background(
     background: &BackgroundRows<'_>,
     (rect, row): (TileRect, u32),
-    clouds: &TileRow<1>,
+    clouds: &TileRow<'_, 1>,
     stop_below: f32,
     gain: f32,
 ) -> Planes<TILE> {
     let (width, y) = (rect.width as usize, rect.top + row);
-    let TileRow { lights: [[r, g, b]], through } = clouds;
+    let TileRow { lights: [[r, g, b]], through, .. } = clouds;
     let mut behind = [[0.0; TILE]; 3];
     let shows = |through: &f32| *through >= stop_below;
     if through[..width].iter().any(shows) || background.dazzles(rect.left, y, width) {
         background.row(rect.left, y, width, &mut behind);
+    }
+    if clouds.has_models() {
+        for (x, color) in (0..width).filter_map(|x| Some((x, clouds.model(x)?))) {
+            [behind[0][x], behind[1][x], behind[2][x]] = color.to_array();
+        }
     }
     for (behind, color) in behind.iter_mut().zip([r, g, b]) {
         for x in 0..TILE {
@@ -113,18 +130,19 @@ fn over_background(
     behind
 }
 
-/// Draws all tiles and turns each row of each into pixels: `finish(tile, row in the tile, the row's clouds, out)`.
+/// Draws all tiles, among models if there are any, and turns each row of each into pixels: `finish(tile, row in the tile,
+/// the row's clouds, out)`.
 fn draw<P: Copy + Send + Sync>(
     blender: &Blender<'_>,
-    frame: &Frame<'_>,
+    (frame, models): (&Frame<'_>, Option<&Models<'_>>),
     stop_below: f32,
     empty: P,
-    finish: impl Fn(TileRect, u32, &TileRow<1>, &mut [P]) + Sync,
+    finish: impl Fn(TileRect, u32, &TileRow<'_, 1>, &mut [P]) + Sync,
 ) -> Vec<P> {
     let sprites = &prepare(frame);
     let Premultiplied { r, g, b, a } = frame.veil;
     let lit = Lit { sprites, lights: |index: usize| [sprites[index].glow()], veil: ([Rgb::new(r, g, b)], a) };
-    draw_lit(blender, frame, &lit, stop_below, empty, finish)
+    draw_lit(blender, (frame, models), &lit, stop_below, empty, finish)
 }
 
 /// Sprites on the screen in `G` lights that are kept apart.
@@ -137,27 +155,29 @@ pub(super) struct Lit<'a, const G: usize, L: Fn(usize) -> [Glow; G]> {
     pub veil: ([Rgb; G], f32),
 }
 
-/// As [`draw`], of any lights, with what any processor does fastest.
+/// As [`draw`], of any lights, among the frame's models, with what any processor does fastest.
 pub(super) fn draw_lights<P: Copy + Send + Sync, const G: usize>(
     frame: &Frame<'_>,
     lit: &Lit<'_, G, impl Fn(usize) -> [Glow; G] + Sync>,
     stop_below: f32,
     empty: P,
-    finish: impl Fn(TileRect, u32, &TileRow<G>, &mut [P]) + Sync,
+    finish: impl Fn(TileRect, u32, &TileRow<'_, G>, &mut [P]) + Sync,
 ) -> Vec<P> {
-    draw_lit(&Blender::new(frame.atlas), frame, lit, stop_below, empty, finish)
+    let models = Models::new(frame);
+    draw_lit(&Blender::new(frame.atlas), (frame, models.as_ref()), lit, stop_below, empty, finish)
 }
 
 fn draw_lit<P: Copy + Send + Sync, const G: usize>(
     blender: &Blender<'_>,
-    frame: &Frame<'_>,
+    (frame, models): (&Frame<'_>, Option<&Models<'_>>),
     lit: &Lit<'_, G, impl Fn(usize) -> [Glow; G] + Sync>,
     stop_below: f32,
     empty: P,
-    finish: impl Fn(TileRect, u32, &TileRow<G>, &mut [P]) + Sync,
+    finish: impl Fn(TileRect, u32, &TileRow<'_, G>, &mut [P]) + Sync,
 ) -> Vec<P> {
     let tiles = map_tiles(lit.sprites, frame.view.width, frame.view.height, |rect, members| {
-        let tile = draw_tile(blender, lit, rect, members, stop_below);
+        let models = models.and_then(|models| models.tile(rect, 1));
+        let tile = draw_tile(blender, lit, (rect, models), members, stop_below);
         let mut out = vec![empty; (rect.width * rect.height) as usize];
         for (row, line) in (0..).zip(out.chunks_mut(rect.width as usize)) {
             finish(rect, row, &tile.row(row as usize), line);
@@ -170,11 +190,11 @@ fn draw_lit<P: Copy + Send + Sync, const G: usize>(
 fn draw_tile<const G: usize>(
     blender: &Blender<'_>,
     lit: &Lit<'_, G, impl Fn(usize) -> [Glow; G] + Sync>,
-    rect: TileRect,
+    (rect, models): (TileRect, Option<ModelTile>),
     members: &[u32],
     stop_below: f32,
 ) -> Tile<G> {
-    let mut tile = Tile::veiled(rect, lit.veil);
+    let mut tile = Tile::veiled(rect, lit.veil, models);
     for &member in members {
         let index = member as usize;
         blender.draw(&mut tile, rect, (&lit.sprites[index], &(lit.lights)(index)), stop_below);

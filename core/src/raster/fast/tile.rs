@@ -1,6 +1,7 @@
 //! A tile of the picture in planes, and where in it a sprite may show.
 
 use super::super::bins::{TILE, TileRect};
+use super::super::models::ModelTile;
 use super::super::{Linear, ScreenSprite};
 use crate::camera::NEAR_M;
 use crate::color::Rgb;
@@ -20,20 +21,36 @@ pub struct Tile<const G: usize> {
     pub through: Plane,
     /// For each row a bit for each group of [`LANES`] pixels that something still gets through.
     pub open: [u8; TILE],
+    /// What the sprites are among.
+    pub models: Option<ModelTile>,
 }
 
 /// A row of a tile.
-pub struct TileRow<const G: usize> {
+pub struct TileRow<'a, const G: usize> {
     /// Red, green and blue of each light.
     pub lights: [[[f32; TILE]; 3]; G],
     /// What still gets through.
     pub through: [f32; TILE],
+    models: Option<(&'a ModelTile, usize)>,
+}
+
+impl<const G: usize> TileRow<'_, G> {
+    /// The model at a pixel, in linear light.
+    pub fn model(&self, x: usize) -> Option<Rgb> {
+        let (models, row) = self.models?;
+        models.at(x, row).map(|(_, color)| color)
+    }
+
+    /// Whether there may be models.
+    pub fn has_models(&self) -> bool {
+        self.models.is_some()
+    }
 }
 
 impl<const G: usize> Tile<G> {
     /// Behind a veil of these colours and that alpha, which for clear air is nothing; outside the picture nothing gets
     /// through.
-    pub fn veiled(rect: TileRect, (veil, alpha): ([Rgb; G], f32)) -> Self {
+    pub fn veiled(rect: TileRect, (veil, alpha): ([Rgb; G], f32), models: Option<ModelTile>) -> Self {
         let [width, height] = [rect.width as usize, rect.height as usize];
         let lights = veil.map(|color| color.to_array().map(|value| [[value; LANES]; TILE * TILE / LANES]));
         let mut through = [[0.0; LANES]; TILE * TILE / LANES];
@@ -41,11 +58,11 @@ impl<const G: usize> Tile<G> {
             row.as_flattened_mut()[..width].fill(1.0 - alpha);
         }
         let groups = ((1_u32 << width.div_ceil(LANES)) - 1) as u8;
-        Self { lights, through, open: std::array::from_fn(|row| if row < height { groups } else { 0 }) }
+        Self { lights, through, open: std::array::from_fn(|row| if row < height { groups } else { 0 }), models }
     }
 
     /// One row.
-    pub fn row(&self, row: usize) -> TileRow<G> {
+    pub fn row(&self, row: usize) -> TileRow<'_, G> {
         let groups = row * TILE / LANES..(row + 1) * TILE / LANES;
         let line_of = |plane: &Plane| {
             let mut line = [0.0; TILE];
@@ -53,7 +70,7 @@ impl<const G: usize> Tile<G> {
             line
         };
         let lights = self.lights.each_ref().map(|light| light.each_ref().map(line_of));
-        TileRow { lights, through: line_of(&self.through) }
+        TileRow { lights, through: line_of(&self.through), models: self.models.as_ref().map(|models| (models, row)) }
     }
 
     /// Whether nothing more would show.
