@@ -43,6 +43,8 @@ pub(super) struct SceneCounts {
     props: Vec<PropNames>,
     tracks: Vec<TrackCounts>,
     total: Total,
+    /// Clouds in hidden folders, which nothing here counts.
+    hidden_clouds: usize,
     /// Eighths of the sky that clouds cover at second 0, seen from the ground under their middle, above 10°.
     coverage_oktas: f64,
     clouds: Vec<CloudCounts>,
@@ -160,6 +162,7 @@ fn count(scene: &Scene, placed: &[PlacedCloud]) -> SceneCounts {
         paths: paths(scene),
         props: scene.props.iter().map(prop).collect(),
         tracks: scene.tracks.iter().map(count_track).collect(),
+        hidden_clouds: scene.clouds.iter().filter(|cloud| !scene.is_seen(cloud)).count(),
         coverage_oktas: 0.0,
         total: Total {
             clouds: clouds.len(),
@@ -206,10 +209,26 @@ const fn beyond_in_words(beyond: Beyond) -> &'static str {
 }
 
 fn as_text(counts: &SceneCounts) -> String {
-    let SceneCounts { name, models, boxes, cameras, paths, props, tracks, total, coverage_oktas, clouds } = counts;
+    let SceneCounts {
+        name,
+        models,
+        boxes,
+        cameras,
+        paths,
+        props,
+        tracks,
+        total,
+        hidden_clouds,
+        coverage_oktas,
+        clouds,
+    } = counts;
     let [models, boxes] = [counted(*models, "model", "models"), counted(*boxes, "box", "boxes")];
     let mut out = one_line(&format!("{name}: {models}, {boxes}, {}", counted(total.clouds, "cloud", "clouds")));
     let _ = writeln!(out, "\ncameras: {}", one_line(&cameras.join(", ")));
+    if *hidden_clouds > 0 {
+        let clouds = counted(*hidden_clouds, "cloud", "clouds");
+        let _ = writeln!(out, "hidden: {clouds} in hidden folders, not counted here");
+    }
     let above = Observer::LEAST_ELEVATION_DEG;
     let _ = writeln!(
         out,

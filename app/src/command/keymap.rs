@@ -37,6 +37,7 @@ const BLENDER: &[(Command, KeyboardShortcut)] = &[
     (Command::FlightStart, keys(Modifiers::SHIFT, Key::ArrowLeft)),
     (Command::FlightEnd, keys(Modifiers::SHIFT, Key::ArrowRight)),
     (Command::LookThrough, keys(Modifiers::NONE, Key::Num0)),
+    (Command::QuadView, keys(Modifiers::ALT.plus(Modifiers::COMMAND), Key::Q)),
     (Command::AlignCamera, keys(Modifiers::ALT.plus(Modifiers::COMMAND), Key::Num0)),
     (Command::Solo, keys(Modifiers::NONE, Key::Slash)),
     (Command::KeyValue, keys(Modifiers::NONE, Key::I)),

@@ -232,6 +232,7 @@ commands! {
         RightView: "Right view", "Look west at what is looked at, from the east.", key(Key::Num3), None;
         LeftView: "Left view", "Look east at what is looked at, from the west.", ctrl(Key::Num3), None;
         Orthographic: "Orthographic", "Look along rays that run side by side, so that what is far is no smaller; without haze.", key(Key::Num5), None;
+        QuadView: "Quad view", "Show orthographic views from the top, the front and the right beside the free one, or it alone.", key(Key::Num4), None;
         LookThrough: "Look through camera", "See what the selected camera sees, or the next one.", key(Key::C), Some(icon::CAMERA);
         AlignCamera: "Align camera to view", "Put the selected camera, or the first, where the view is.", ctrl_shift(Key::C), None;
         Hide: "Hide", "Hide the selection, or show it again.", key(Key::H), Some(icon::EYE_SLASH);

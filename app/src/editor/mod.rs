@@ -267,6 +267,7 @@ impl Editor {
 
     /// A gesture ends when no button is down, whichever widget it began in; but for a tool's that goes on till a click.
     fn end_gesture_on_release(&mut self, context: &egui::Context) {
+        self.session.keep_past_within(self.disk.settings().undo_mb);
         let previews = std::mem::take(&mut self.previews);
         if std::mem::replace(&mut self.previewed, previews) && !previews {
             self.session.cancel();

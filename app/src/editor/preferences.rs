@@ -17,6 +17,8 @@ pub(super) enum Preference {
     Scale(f32),
     /// Seconds between two keepings of unsaved work.
     KeepWork(u32),
+    /// Megabytes for what can be undone; 0 for no bound.
+    UndoMemory(u32),
     /// From the next start on.
     Renderer(RendererChoice),
     /// Whether it is shown at a start without a scene.
@@ -31,6 +33,7 @@ impl Preference {
             Self::Keymap(keymap) => settings.keymap = keymap,
             Self::Scale(scale) => settings.set_scale(scale),
             Self::KeepWork(seconds) => settings.set_keep_work_every_s(seconds),
+            Self::UndoMemory(megabytes) => settings.undo_mb = megabytes,
             Self::Renderer(renderer) => settings.renderer = renderer,
             Self::StartPage(on) => settings.start_page = on,
         }

@@ -16,7 +16,7 @@ impl Editor {
         vec![
             ("Version", format!("{}{build}", env!("CARGO_PKG_VERSION"))),
             ("Drawn by", self.viewport.renderer_name()),
-            ("Window", self.viewport.driver().unwrap_or("without a device").to_owned()),
+            ("Window", self.viewport.driver().unwrap_or_else(|| "without a device".into())),
             ("System", format!("{} on {}", std::env::consts::OS, std::env::consts::ARCH)),
         ]
     }

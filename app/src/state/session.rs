@@ -97,6 +97,12 @@ impl Session {
         &self.document
     }
 
+    /// From now on, what can be undone takes about so many megabytes at most; 0 for no bound.
+    pub(crate) fn keep_past_within(&mut self, megabytes: u32) {
+        let most = if megabytes == 0 { u64::MAX } else { u64::from(megabytes) << 20 };
+        self.document.keep_past_within(most);
+    }
+
     /// The scene, open gesture included.
     pub fn scene(&self) -> &Scene {
         self.document.scene()

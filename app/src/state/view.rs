@@ -131,6 +131,8 @@ pub struct ViewState {
     pub group_view: bool,
     /// Whether there is haze.
     pub haze: bool,
+    /// Whether three orthographic views are shown beside the free one.
+    pub quad: bool,
     /// Whether a corner of the viewport shows what the chosen camera sees.
     pub camera_picture: bool,
     /// When sprites are sorted again, unless a method says so.
@@ -165,6 +167,7 @@ impl Default for ViewState {
             sprite_marks: SpriteMarks::default(),
             group_view: false,
             haze: true,
+            quad: false,
             camera_picture: true,
             sorting: Sorting::default(),
             method: None,

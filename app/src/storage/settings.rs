@@ -37,6 +37,8 @@ pub struct Settings {
     pub start_page: bool,
     scale: f32,
     keep_work_every_s: u32,
+    /// For what can be undone, megabytes; 0 for as many as there are.
+    pub undo_mb: u32,
     /// The titles of what is folded in panels.
     pub folded: BTreeSet<String>,
     /// How pictures were last drawn into files.
@@ -79,6 +81,7 @@ impl Default for Settings {
             start_page: true,
             scale: 1.0,
             keep_work_every_s: 0,
+            undo_mb: 256,
             folded: BTreeSet::new(),
             picture: PictureSettings::default(),
             film: FilmSettings::default(),

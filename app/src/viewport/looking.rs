@@ -15,6 +15,7 @@ use egui::Rect;
 impl Viewport {
     /// Sees what the scene's first camera does, or all of it.
     pub(crate) fn see(&mut self, session: &Session) {
+        self.sides.clear();
         match session.scene().cameras.first() {
             Some(camera) => self.stand_at(camera, session),
             None => self.frame(&Selection::default(), session, 0.0),
@@ -46,6 +47,9 @@ impl Viewport {
             self.leave();
             self.canvas.begin_anew();
             self.navigation.frame(center, radius);
+            for side in &mut self.sides {
+                side.navigation.frame(center, radius);
+            }
         }
     }
 

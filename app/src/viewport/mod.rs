@@ -37,6 +37,7 @@ mod picture;
 mod places;
 mod plane;
 mod props;
+mod quad;
 mod screen;
 mod side;
 mod steer;
@@ -56,7 +57,7 @@ use canvas::Canvas;
 use cloudwright_core::scene::Camera;
 use cloudwright_core::sight::Sight;
 use eframe::egui_wgpu::RenderState;
-use egui::{CursorIcon, Painter, Response, Sense, Ui, Vec2};
+use egui::{Align2, CursorIcon, Painter, Response, Sense, Ui, Vec2, vec2};
 use faces::Faces;
 use fly_control::FlyControl;
 use gizmo::{GizmoHands, Touch};
@@ -100,8 +101,13 @@ pub(crate) struct Viewport {
     aspect: f32,
     /// What was shown last.
     sight: Option<Sight>,
-    /// The window's own device and its driver, for people.
-    driver: Option<String>,
+    /// What is to draw, and the window's own device.
+    renderer: RendererChoice,
+    device: Option<RenderState>,
+    /// Those beside it, while four views are shown.
+    sides: Vec<Viewport>,
+    /// Whether the pointer was in it last.
+    has_pointer: bool,
 }
 
 impl Viewport {
@@ -112,13 +118,19 @@ impl Viewport {
         choice: RendererChoice,
         device: Option<RenderState>,
     ) -> Self {
-        let mut viewport = Self {
+        let mut viewport = Self::blank(context, choice, device);
+        viewport.see(session);
+        viewport
+    }
+
+    /// One that looks nowhere yet.
+    fn blank(context: &egui::Context, renderer: RendererChoice, device: Option<RenderState>) -> Self {
+        Self {
             navigation: Navigation::new(Camera::free(DVec3::ZERO), 1.0),
             fly_control: FlyControl::default(),
             on_board: None,
             through: None,
-            driver: device.as_ref().map(driver),
-            canvas: Canvas::new(context, choice, device),
+            canvas: Canvas::new(context, renderer, device.clone()),
             inset: Inset::new(context),
             marks: Marks::default(),
             paths: Paths::default(),
@@ -131,14 +143,16 @@ impl Viewport {
             box_tool: BoxTool::default(),
             aspect: 16.0 / 9.0,
             sight: None,
-        };
-        viewport.see(session);
-        viewport
+            renderer,
+            device,
+            sides: Vec::new(),
+            has_pointer: false,
+        }
     }
 
     /// The window's own device and its driver, if it has one.
-    pub(crate) fn driver(&self) -> Option<&str> {
-        self.driver.as_deref()
+    pub(crate) fn driver(&self) -> Option<String> {
+        self.device.as_ref().map(driver)
     }
 
     /// Width by height of the picture; of a strip, that of a wider one.
@@ -183,27 +197,40 @@ impl Viewport {
 
     /// Whether a tool goes on with its gesture though no button is down.
     pub(crate) fn holds_gesture(&self) -> bool {
+        self.own_gesture() || self.sides.iter().any(Self::own_gesture)
+    }
+
+    fn own_gesture(&self) -> bool {
         self.box_tool.holds_gesture() || self.grab.holds_gesture()
     }
 
     /// Whether keys steer a flight or a grab, and are no commands.
     pub(crate) fn has_keys(&self) -> bool {
+        self.own_keys() || self.sides.iter().any(Self::own_keys)
+    }
+
+    fn own_keys(&self) -> bool {
         self.fly_control.has_keys() || self.grab.has_keys()
     }
 
-    /// The selection follows the pointer from now on.
+    /// The selection follows the pointer from now on, in the view that has it.
     pub(crate) fn grab(&mut self, grabbed: Grabbed) {
-        self.grab.want(grabbed);
+        match self.sides.iter_mut().find(|side| side.has_pointer) {
+            Some(side) => side.grab.want(grabbed),
+            None => self.grab.want(grabbed),
+        }
     }
 
-    pub(crate) fn show(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    fn show_one(&mut self, ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
         let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::click_and_drag());
-        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label("Viewport"));
+        let (label, pinned) = (self.label(), self.navigation.pinned());
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_label(label));
+        self.has_pointer = response.contains_pointer();
         if response.clicked() || response.drag_started() {
             response.request_focus();
         }
         let is_free = !self.gizmo.is_held() && !self.marquee.is_on() && !self.grab.is_on();
-        let may_fly = is_free && !self.holds_gesture();
+        let may_fly = is_free && !self.own_gesture() && pinned.is_none();
         // A right button that has flown or ended something is no click.
         let may_ask = may_fly && !self.fly_control.is_flying();
         let path_view = self.take_path_view(reading);
@@ -233,6 +260,10 @@ impl Viewport {
         }
         self.work(ui, &response, &painter, &screen, reading, actions);
         level_handles::show(ui, rect, &screen.view, reading, actions);
+        if let Some(side) = pinned {
+            overlay::plate(ui, rect.left_top() + vec2(14.0, 10.0), Align2::LEFT_TOP, side.name());
+            return self.menu_where(self.own_gesture(), &response, &screen, reading, actions);
+        }
         if self.fly_control.is_held() {
             overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.fly_control.speed_m_s()));
         } else if path_view.is_some() {
@@ -240,7 +271,7 @@ impl Viewport {
         } else if self.grab.is_on() {
             overlay::grab_hint(&painter, rect);
         } else {
-            overlay::hint(&painter, rect, reading.view.tool, self.holds_gesture());
+            overlay::hint(&painter, rect, reading.view.tool, self.own_gesture());
         }
         if reading.is_recording {
             overlay::recording(&painter, rect);
@@ -261,8 +292,20 @@ impl Viewport {
                 ui.ctx().request_repaint();
             }
         }
-        if may_ask || !response.secondary_clicked() {
-            self.menu(&response, &screen, reading, actions);
+        self.menu_where(!may_ask, &response, &screen, reading, actions);
+    }
+
+    /// The menu of the right button, unless that means something else now.
+    fn menu_where(
+        &self,
+        means_else: bool,
+        response: &Response,
+        screen: &Screen,
+        reading: &Reading<'_>,
+        actions: &mut Vec<Action>,
+    ) {
+        if !means_else || !response.secondary_clicked() {
+            self.menu(response, screen, reading, actions);
         }
     }
 
@@ -350,7 +393,7 @@ impl Viewport {
             && touch == Touch::None
             && !modifiers.alt
             && let Some(at) = response.interact_pointer_pos().or(response.hover_pos())
-            && !compass::place(screen.rect).is_some_and(|place| place.contains(at))
+            && !(self.navigation.pinned().is_none() && compass::place(screen.rect).is_some_and(|it| it.contains(at)))
         {
             self.marquee.begin(at);
         }

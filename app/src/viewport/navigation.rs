@@ -29,12 +29,14 @@ pub(super) struct Navigation {
     /// No hand moves the eye below this altitude, metres.
     floor_m: f64,
     is_orthographic: bool,
+    /// From where it looks and can't be turned.
+    pinned: Option<Side>,
 }
 
 impl Navigation {
     pub(super) fn new(camera: Camera, distance_m: f64) -> Self {
         let distance_m = distance_m.max(MIN_DISTANCE_M);
-        Self { camera, distance_m, floor_m: f64::NEG_INFINITY, is_orthographic: false }
+        Self { camera, distance_m, floor_m: f64::NEG_INFINITY, is_orthographic: false, pinned: None }
     }
 
     /// From now on above ground of that altitude, metres.
@@ -77,7 +79,7 @@ impl Navigation {
 
     /// Turns about the pivot: what is near follows the pointer.
     pub(super) fn orbit(&mut self, points: Vec2) {
-        if points == Vec2::ZERO {
+        if points == Vec2::ZERO || self.pinned.is_some() {
             return;
         }
         let pivot = self.pivot();
@@ -101,6 +103,17 @@ impl Navigation {
         [self.camera.heading_deg, self.camera.pitch_deg] = side.look_deg();
         self.camera.roll_deg = 0.0;
         self.stand_back(pivot);
+    }
+
+    /// From now on only from that side.
+    pub(super) fn pin_to(&mut self, side: Side) {
+        self.look_from(side);
+        self.pinned = Some(side);
+    }
+
+    /// From where it looks and can't be turned; nothing if it can.
+    pub(super) fn pinned(&self) -> Option<Side> {
+        self.pinned
     }
 
     /// Moves the eye, and the pivot with it.

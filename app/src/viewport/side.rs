@@ -70,6 +70,12 @@ impl Side {
         }
     }
 
+    /// As the command that looks from there calls it.
+    pub(super) fn name(self) -> &'static str {
+        let label = self.command().row().label();
+        label.strip_suffix(" view").unwrap_or(label)
+    }
+
     /// On the compass.
     pub(super) fn letter(self) -> &'static str {
         match self {

@@ -18,7 +18,8 @@ pub(super) fn steer(navigation: &mut Navigation, ui: &Ui, response: &Response, s
     let by = |button| response.dragged_by(button);
     let moved = response.drag_delta();
     let turns = by(PointerButton::Middle) || (modifiers.alt && by(PointerButton::Primary));
-    if modifiers.shift && turns {
+    let is_pinned = navigation.pinned().is_some();
+    if (modifiers.shift || is_pinned) && turns {
         navigation.pan(moved, &screen.view);
     } else if turns {
         navigation.orbit(moved);
@@ -48,7 +49,11 @@ fn steer_by_keys(navigation: &mut Navigation, ui: &Ui, response: &Response, scre
         })
     };
     let turn = vec2(step(Key::ArrowRight, Key::ArrowLeft), step(Key::ArrowDown, Key::ArrowUp));
-    navigation.orbit(turn * POINTS_PER_KEY);
+    if navigation.pinned().is_some() {
+        navigation.pan(-turn * POINTS_PER_KEY, &screen.view);
+    } else {
+        navigation.orbit(turn * POINTS_PER_KEY);
+    }
     let closer = step(Key::Plus, Key::Minus) * 50.0;
     if closer != 0.0 {
         navigation.zoom(closer, screen.view.forward * navigation.distance() as f32);

@@ -56,6 +56,25 @@ fn info_counts() {
 }
 
 #[test]
+fn info_tells_of_what_folders_hide() {
+    let place = Place::new();
+    let hidden = |on: bool| {
+        changed(|s| {
+            s["folders"] = json!([{ "id": 900, "name": "put by", "hidden": on }]);
+            s["clouds"][0]["folder"] = json!(900);
+            s["next_id"] = json!(1000);
+        })
+    };
+    for (on, clouds) in [(true, 1), (false, 2)] {
+        place.put("folder.cloudscene", &hidden(on));
+        let counts = as_json(&place.run("info --json folder.cloudscene").stdout);
+        assert_eq!((&counts["hidden_clouds"], &counts["total"]["clouds"]), (&json!(2 - clouds), &json!(clouds)));
+        let text = place.run("info folder.cloudscene").stdout;
+        assert_eq!(text.contains("hidden: 1 cloud in hidden folders"), on, "{text}");
+    }
+}
+
+#[test]
 fn info_lists_paths_and_who_flies_along_them() {
     let place = Place::new();
     let key = |time_s: f64| json!({ "time_s": time_s, "position": [time_s, 900, 0], "heading_deg": 0, "pitch_deg": 0 });

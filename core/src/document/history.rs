@@ -1,7 +1,7 @@
 //! The history as a list: every undo point by name, and the way to any of them.
 
 use super::transaction::UndoPoint;
-use super::{Change, Document, SavedMark};
+use super::{Change, Document};
 
 /// What was done and what was undone again, oldest first.
 #[derive(Debug, Clone, Copy)]
@@ -28,7 +28,9 @@ impl<'a> History<'a> {
     /// How many points were done when the scene was last saved; none if that state is out of reach.
     pub fn saved_at(&self) -> Option<usize> {
         let saved = self.document.saved_at?;
-        std::iter::once(SavedMark(0)).chain(self.points().map(|point| point.mark)).position(|mark| mark == saved)
+        std::iter::once(self.document.begun_at)
+            .chain(self.points().map(|point| point.mark))
+            .position(|mark| mark == saved)
     }
 
     /// The points' names, oldest first.

@@ -4,6 +4,7 @@
 //! its inverse; a transaction collects inverses and becomes one undo point, or nothing. A drag is one transaction that
 //! stays open over many frames. What a transaction touched is told by its [`Change`].
 
+mod budget;
 mod edit;
 mod history;
 mod past;
@@ -37,6 +38,10 @@ pub struct Document {
     saved_at: Option<SavedMark>,
     /// How many points were ever made.
     made_count: u64,
+    /// The state before the oldest point: others may have been forgotten.
+    begun_at: SavedMark,
+    /// Of memory for what can be undone; none for as much as there is.
+    most_bytes: Option<u64>,
 }
 
 /// A state of the scene in its history: after which undo point, counted through all that were ever made; 0 at the
@@ -148,6 +153,7 @@ impl Document {
         point.mark = SavedMark(self.made_count);
         self.done.push(Arc::new(point));
         self.undone.clear();
+        self.forget_oldest();
         Ok(())
     }
 
@@ -233,7 +239,7 @@ impl Document {
 
     /// The state that the scene is in, an open transaction apart.
     pub fn mark(&self) -> SavedMark {
-        self.done.last().map_or(SavedMark(0), |point| point.mark)
+        self.done.last().map_or(self.begun_at, |point| point.mark)
     }
 
     /// Says that the scene is saved as it was at `mark`.

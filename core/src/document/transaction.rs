@@ -5,11 +5,12 @@
 //! is applied later and wins. This holds as long as no edit in between adds to a list or takes from one.
 
 use super::edit::{Edit, Part};
-use super::{Change, SavedMark};
+use super::{Change, SavedMark, budget};
 use crate::problem::{self, Severity};
 use crate::scene::Scene;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
+use std::sync::OnceLock;
 
 /// What takes the scene across one step of its history.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -20,6 +21,9 @@ pub(super) struct UndoPoint {
     pub(super) mark: SavedMark,
     /// Applied last to first.
     inverses: Vec<Edit>,
+    /// About what it takes, once that was asked for.
+    #[serde(skip)]
+    bytes: OnceLock<u64>,
 }
 
 /// A transaction that goes on.
@@ -32,7 +36,8 @@ pub(super) struct Transaction {
 
 impl Transaction {
     pub(super) fn new(name: String) -> Self {
-        Self { point: UndoPoint { name, mark: SavedMark(0), inverses: Vec::new() }, led_back: BTreeSet::new() }
+        let point = UndoPoint { name, mark: SavedMark(0), inverses: Vec::new(), bytes: OnceLock::new() };
+        Self { point, led_back: BTreeSet::new() }
     }
 
     /// One more step has been taken, from which `inverse` leads back.
@@ -76,7 +81,12 @@ impl UndoPoint {
                 inverses.push(inverse);
             }
         }
-        (Self { name: self.name.clone(), mark: self.mark, inverses }, change)
+        (Self { name: self.name.clone(), mark: self.mark, inverses, bytes: OnceLock::new() }, change)
+    }
+
+    /// About what it takes of memory.
+    pub(super) fn bytes(&self) -> u64 {
+        *self.bytes.get_or_init(|| budget::bytes_of(self))
     }
 
     /// The edits, of which the last is applied first.

@@ -20,6 +20,7 @@ fn each_preference_holds_at_once_and_at_the_next_start() {
     window.choose("Units", "Feet and knots, as in aviation");
     window.choose("Keys", "Blender's, where it has the command");
     window.choose("Unsaved work is kept", "Every 30 s");
+    window.choose("Memory for undo", "64 MB");
     window.choose("Drawn by", "The CPU");
     window.node(Role::CheckBox, "Show the start page at the start").click();
     window.settle();
@@ -33,6 +34,7 @@ fn each_preference_holds_at_once_and_at_the_next_start() {
         (ThemeChoice::Light, Units::Aviation, RendererChoice::Cpu)
     );
     assert_eq!((settings.scale(), settings.keep_work_every_s(), settings.start_page), (1.25, 30, false));
+    assert_eq!(settings.undo_mb, 64);
     window.command(Command::SwitchUnits);
     assert_eq!(Settings::load(&folders).0.units, Units::Metric, "the command sets the same");
     drop(window);

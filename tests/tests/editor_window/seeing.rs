@@ -166,6 +166,53 @@ fn parallel_rays_are_for_looking_and_not_for_cameras() {
     window.wait("a window that does nothing", is_idle);
 }
 
+const SIDES: [&str; 3] = ["Viewport from the top", "Viewport from the south", "Viewport from the east"];
+
+/// In each of three orthographic views a grab moves the cloud along the picture and never across it, and a click finds it.
+#[test]
+fn four_views_have_all_tools_each() {
+    let mut window = opened();
+    let cloud = window.scene().clouds[0].id;
+    let whole = window.viewport();
+    window.keys(Modifiers::NONE, Key::Num4);
+    let free = window.viewport();
+    assert!(free.width() < 0.51 * whole.width() && free.height() < 0.51 * whole.height(), "{free:?} of {whole:?}");
+    window.keys(Modifiers::NONE, Key::A);
+    for (label, stays) in SIDES.into_iter().zip([DVec3::Y, DVec3::Z, DVec3::X]) {
+        let place = window.harness.get_by_label(label).rect();
+        assert!(!place.intersects(free.shrink(1.0)), "{label} lies over the free view");
+        window.select([]);
+        window.click(place.center(), Modifiers::NONE);
+        assert_eq!(window.primary(), Some(Item::Cloud(cloud)), "{label}: the cloud is in the middle");
+        let before = window.scene().clouds[0].position;
+        window.pointer(place.center(), None);
+        window.command(Command::GrabPlace);
+        window.pointer(place.center() + vec2(30.0, -20.0), None);
+        window.pointer(place.center() + vec2(30.0, -20.0), Some(true));
+        window.pointer(place.center() + vec2(30.0, -20.0), Some(false));
+        window.settle();
+        let moved = window.scene().clouds[0].position - before;
+        assert!(moved.dot(stays).abs() < 1e-3 * moved.length(), "{label}: {moved}");
+        let others = [DVec3::X, DVec3::Y, DVec3::Z].into_iter().filter(|axis| *axis != stays);
+        assert!(others.into_iter().all(|axis| moved.dot(axis).abs() > 1.0), "{label}: {moved}");
+        window.press("Undo");
+        // The middle button moves what can't be turned, and F brings it back.
+        let look = window.look_deg();
+        window.drag_with(PointerButton::Middle, Modifiers::NONE, place.center(), vec2(0.4 * place.width(), 0.0));
+        window.select([]);
+        window.click(place.center(), Modifiers::NONE);
+        assert_eq!(window.primary(), None, "{label}: it went with the hand");
+        window.keys(Modifiers::NONE, Key::A);
+        window.click(place.center(), Modifiers::NONE);
+        assert_eq!(window.primary(), Some(Item::Cloud(cloud)), "{label}: it is back");
+        assert_eq!(window.look_deg(), look, "the free view is another");
+    }
+    window.wait("a window that does nothing", is_idle);
+    window.keys(Modifiers::NONE, Key::Num4);
+    assert_eq!(window.viewport(), whole);
+    assert!(SIDES.iter().all(|label| window.harness.query_by_label(label).is_none()));
+}
+
 #[test]
 fn haze_is_left_out_of_the_view_alone() {
     let mut window = opened();

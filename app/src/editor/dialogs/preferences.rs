@@ -27,6 +27,10 @@ const SCALES: [f32; 9] = [0.75, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5];
 const PAUSES: [(u32, &str); 5] =
     [(0, "After each change"), (5, "Every 5 s"), (30, "Every 30 s"), (120, "Every 2 min"), (600, "Every 10 min")];
 
+/// Megabytes.
+const UNDO: [(u32, &str); 5] =
+    [(16, "16 MB"), (64, "64 MB"), (256, "256 MB"), (1024, "1 GB"), (0, "As much as there is")];
+
 /// Some(None) when it is closed.
 pub(super) fn choose(context: &Context, settings: &Settings) -> Option<Option<Preference>> {
     window(context, theme::DIALOG_WIDTH, "Preferences", None, |ui| {
@@ -45,6 +49,9 @@ fn rows(ui: &mut Ui, settings: &Settings) -> Option<Preference> {
     let pause = settings.keep_work_every_s();
     let pause_text =
         PAUSES.iter().find(|(each, _)| *each == pause).map_or(format!("Every {pause} s"), |(_, text)| (*text).into());
+    let undo = settings.undo_mb;
+    let undo_text =
+        UNDO.iter().find(|(each, _)| *each == undo).map_or(format!("{undo} MB"), |(_, text)| (*text).into());
     let asked = [
         row(ui, "Look", "Of the whole window.", text_of(&THEMES, &settings.theme), &THEMES, &settings.theme)
             .map(Preference::Theme),
@@ -70,6 +77,15 @@ fn rows(ui: &mut Ui, settings: &Settings) -> Option<Preference> {
             &pause,
         )
         .map(Preference::KeepWork),
+        row(
+            ui,
+            "Memory for undo",
+            "Beyond it the oldest steps are forgotten; the last can always be taken back.",
+            &undo_text,
+            &UNDO,
+            &undo,
+        )
+        .map(Preference::UndoMemory),
         row(
             ui,
             "Drawn by",
