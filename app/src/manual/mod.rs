@@ -44,6 +44,7 @@ pub(crate) static PAGES: LazyLock<Vec<Page>> = LazyLock::new(|| {
         written("History", include_str!("pages/history.md")),
         written("Problems", include_str!("pages/problems.md")),
         written("By keyboard and by ear", include_str!("pages/keyboard.md")),
+        written("Coming from other programs", include_str!("pages/habits.md")),
         Page { title: "Keys", text: shortcuts().into() },
         written("Writing a plugin", part_of(README, "Write a plugin")),
         written("Functions for plugins", PLUGINS),
