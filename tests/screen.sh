@@ -20,7 +20,7 @@ begin_screen() {
 
 # open SCENE WIDTH HEIGHT: the editor's window, with a picture in it.
 open() {
-  "$program" "$1" >"$out/window.log" 2>&1 &
+  "$program" ${1:+"$1"} >"$out/window.log" 2>&1 &
   editor=$!
   window=$(timeout 60 xdotool search --sync --onlyvisible --pid "$editor" | head -1)
   xdotool windowsize "$window" "$2" "$3"
