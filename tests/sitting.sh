@@ -14,7 +14,6 @@ cd "$(dirname "$0")/.."
 
 . tests/screen.sh
 begin_screen 1600 1000
-begun=()
 
 fail() { echo "$part: $*"; exit 1; }
 
@@ -52,9 +51,8 @@ wheel() {
 
 words() { xdotool type --delay 15 -- "$1"; sleep 0.2; }
 
-# field X Y VALUE: a number that is clicked and typed. Then tab VALUE, for the one behind it.
+# field X Y VALUE: a number that is clicked and typed.
 field() { took 30; at "$1" "$2"; xdotool click 1; sleep 0.5; words "$3"; sleep 0.3; xdotool key Return; sleep 0.5; }
-tab() { took 30; words "$1"; xdotool key Tab; sleep 0.3; }
 
 # palette NAME: a command by its name.
 palette() { took 30; xdotool key ctrl+shift+p; sleep 0.5; words "$1"; xdotool key Return; sleep 0.5; }
@@ -108,9 +106,125 @@ counted() { "$program" info --json "$1" | jq -r "$2"; }
 # has FILE FILTER WORDS: the scene's file is so.
 has() { jq -e "$2" "$1" >/dev/null || fail "$3 (in $1: not $2)"; }
 
-# sound FILE: no problems, and a picture of more than a sky.
-sound() {
-  "$program" check "$1" || fail "$1 has problems"
+# --- README's walk -------------------------------------------------------------------------------------------------
+
+readme() {
+  local scene="$out/sky.cloudscene"
+  rm -f "$scene" "$out/sky.png"
+  # 1: a scene with one small cumulus, opened.
+  "$program" new "$scene"
+  has "$scene" '.scene.clouds | length == 1' "step 1: one small cumulus"
+  begin "$scene"
+  shot opened
+  # 2: an empty sky.
+  key a; settle; click $middle_x $middle_y; key Delete
+  shot empty
+  save "$scene"
+  has "$scene" '.scene.clouds | length == 0' "step 2: an empty sky"
+  # 3: a wide flat box, and two rounder ones upon it.
+  key b
+  drag 520 600 920 600; at 920 590; at 920 630; click 920 630
+  shot flat
+  drag 560 560 760 560; at 760 500; click 760 480
+  shot second
+  drag 700 560 880 560; at 880 500; click 880 490
+  shot heap
+  save "$scene"
+  has "$scene" '.scene.models[-1].boxes | length == 3' "step 3: three boxes"
+  # 4: the flat one's sprites, and the dice.
+  click 90 379
+  field 1324 367 40
+  field 1324 394 250; field 1411 394 350
+  field 1324 421 120; field 1411 421 180
+  field 1324 448 -5; field 1411 448 5
+  click 1385 475; shot categories; click 1403 706
+  shot sprites
+  save "$scene"
+  has "$scene" '.scene.models[-1].boxes[0] | [.sprite_count, .width, .height, .rotation_deg, .category] ==
+    [40, [250, 350], [120, 180], [-5, 5], "flat_base"]' "step 4: the flat box's sprites"
+  local before
+  before=$(jq -c .scene "$scene")
+  key k
+  save "$scene"
+  [ "$(jq -c .scene "$scene")" != "$before" ] || fail "step 4: K rolled nothing"
+  # 5: moved, turned and stretched by hand, a face pulled; then by Blender's keys.
+  click 90 406
+  local second='.scene.models[-1].boxes[1]'
+  has "$scene" "$second.center[1] < 200 and $second.orientation == null" "step 5: the second box as it was drawn"
+  key w; shot move
+  drag 660 531 660 471
+  key e; shot turn
+  drag 707 512 767 512
+  key r; shot stretch
+  drag 660 583 660 613
+  shot stretched
+  save "$scene"
+  has "$scene" "$second.center[1] > 230" "step 5: W moves it up"
+  has "$scene" "$second.orientation[1] | . != null and . != 0" "step 5: E turns it"
+  has "$scene" "$second.size[1] > 380" "step 5: a face is pulled"
+  key shift+s; shot snaps; key shift+s
+  local high
+  high=$(jq "$second.center[1]" "$scene")
+  palette "Blender's keys"
+  at $middle_x $middle_y
+  key g; key y; words 100; xdotool key Return; sleep 0.5
+  key g; at 900 300; shot grabbed; key Escape
+  palette "Blender's keys"
+  save "$scene"
+  has "$scene" "$second.center[1] - $high | fabs - 100 | fabs < 0.01" "step 5: G Y 100 moves it by 100 m, and Esc by nothing"
+  # 6: a level dragged, then a mood.
+  drag 1228 716 1228 680
+  shot level
+  save "$scene"
+  has "$scene" '.scene.models[-1].color_levels[2].height > 0.4' "step 6: the third level is higher"
+  click 1217 562; shot moods; click 1231 183
+  save "$scene"
+  has "$scene" '.scene.models[-1].color_levels[0].color[0] == 0.1' "step 6: the mood “Storm”"
+  # 7: the curve pulled; a group of two boxes, then groups by themselves.
+  click 1290 531
+  drag 1395 794 1395 770
+  shot curve
+  save "$scene"
+  has "$scene" "$second.light.c_med > 0.45" "step 7: brighter across"
+  also 90 433; key ctrl+g
+  shot group
+  save "$scene"
+  has "$scene" '.scene.models[-1] | .groups | length == 1' "step 7: a group of two boxes"
+  has "$scene" '.scene.models[-1] | .boxes[1].group == .groups[0].id and .boxes[2].group == .groups[0].id' "step 7: both in it"
+  click 1443 562
+  key g; shot tints; key g
+  save "$scene"
+  has "$scene" '.scene.models[-1].groups | length >= 3' "step 7: groups by themselves"
+  # 8: the hour dragged; then the day passes, until an hour is kept.
+  click 1340 531
+  drag 1327 562 1390 562
+  shot hour
+  save "$scene"
+  has "$scene" '.scene.time_of_day_h > 13' "step 8: later in the day"
+  local hour
+  hour=$(jq .scene.time_of_day_h "$scene")
+  key p; sleep 2; key p
+  shot preview
+  palette "Keep this hour"
+  save "$scene"
+  has "$scene" ".scene.time_of_day_h - $hour | fabs > 0.1" "step 8: another hour was kept"
+  # 9: saved; a click in the history goes back, and on again.
+  shot history
+  click 90 921
+  save "$scene"
+  has "$scene" ".scene.time_of_day_h == $hour" "step 9: the history went a step back"
+  key ctrl+shift+z
+  save "$scene"
+  has "$scene" ".scene.time_of_day_h != $hour" "step 9: and on again"
+  shot done
+  close
+  # 10: drawn without a window.
+  "$program" check "$scene" || fail "$scene has problems"
+  "$program" render "$scene" -o "$out/sky.png"
+  local drawn
+  drawn=$(convert "$out/sky.png" -format '%wx%h %k' info:)
+  [ "${drawn% *}" = 1280x720 ] && [ "${drawn#* }" -gt 2000 ] || fail "step 10: the picture is $drawn"
+  echo "$part: all ten steps come out as README says"
 }
 
 # --- a thunder cloud, box by box -----------------------------------------------------------------------------------
@@ -373,7 +487,15 @@ film() {
   echo "$part: $seen, as asked for"
 }
 
-for part in "${@:-cumulonimbus}"; do
+[ $# -gt 0 ] || set -- readme cumulonimbus of_two film
+for part in "$@"; do
+  case "$part" in
+    readme | cumulonimbus | of_two | film) ;;
+    *) echo "no part is called $part: readme, cumulonimbus, of_two, film"; exit 2 ;;
+  esac
+done
+for part in "$@"; do
+  shots=0
   "$part"
   [ -z "$editor" ] || close
 done
