@@ -4,6 +4,7 @@
 # Each part is judged by what comes out of it: files, pictures, a film. The numbered screenshots stay in OUT_FOLDER.
 #
 # What a person would need is added up: a click, a drag or a key 1.5 s, a field that is typed in 3 s.
+# Needs Xvfb, xdotool, ImageMagick, jq and ffmpeg.
 # usage: tests/sitting.sh PROGRAM OUT_FOLDER [PART…]     parts: readme cumulonimbus of_two film; all, if none is named
 set -euo pipefail
 program=$(realpath "$1")
@@ -171,7 +172,7 @@ readme() {
   key g; at 900 300; shot grabbed; key Escape
   palette "Blender's keys"
   save "$scene"
-  has "$scene" "$second.center[1] - $high | fabs - 100 | fabs < 0.01" "step 5: G Y 100 moves it by 100 m, and Esc by nothing"
+  has "$scene" "$second.center[1] - $high | fabs - 100 | fabs < 0.01" "step 5: G Y 100 moves it by that, Esc by nothing"
   # 6: a level dragged, then a mood.
   drag 1228 716 1228 680
   shot level
@@ -190,7 +191,7 @@ readme() {
   shot group
   save "$scene"
   has "$scene" '.scene.models[-1] | .groups | length == 1' "step 7: a group of two boxes"
-  has "$scene" '.scene.models[-1] | .boxes[1].group == .groups[0].id and .boxes[2].group == .groups[0].id' "step 7: both in it"
+  has "$scene" '.scene.models[-1] | [.boxes[1, 2].group] == [.groups[0, 0].id]' "step 7: both in it"
   click 1443 562
   key g; shot tints; key g
   save "$scene"
@@ -272,7 +273,7 @@ cumulonimbus() {
   box -3000 3000 -1700 2500 300
   base 540
   box -1800 2200 -1000 1200 400
-  base 1250
+  base 1380
   box -3500 -1900 -700 900 1500
   box -2300 -300 0 1700 1900
   box -600 1700 100 1900 1800
@@ -342,8 +343,8 @@ cumulonimbus() {
   close
   has "$scene" '.scene.models | length == 1' "one model, built by hand"
   has "$scene" '.scene.models[0].boxes | length == 17' "all boxes that were drawn"
-  has "$scene" '.scene.models[0].category == "cumulonimbus" and .scene.models[0].boxes[0].category == "flat_base"' "categories"
-  has "$scene" '[.scene.models[0].boxes[14:][] | .height == [700, 1100] and .rotation_deg == [-5, 5]] | all' "flat anvil"
+  has "$scene" '.scene.models[0] | [.category, .boxes[0].category] == ["cumulonimbus", "flat_base"]' "categories"
+  has "$scene" '.scene.models[0].boxes[14:] | all(.height == [700, 1100] and .rotation_deg == [-5, 5])' "a flat anvil"
   has "$scene" '[.scene.models[0].boxes[].light.c_max] | unique | length > 3' "light by groups"
   has "$scene" '.scene.models[0].color_levels[0].color[0] == 0.1' "the mood “Storm”"
   has "$scene" '.scene.time_of_day_h == 18.8' "the hour"
@@ -360,9 +361,9 @@ seen() {
   "$program" render "$2.cloudscene" -o "$2.png" --size 960x540 --renderer cpu
 }
 
-# shape PICTURE EMPTY: of what is in the picture and not in the empty one: rows of cloud, the widest in the upper third, the
-# narrowest between a third and two thirds, the widest in the lower third, how many rows of the upper half are wider than
-# two thirds of the anvil; all but the first in thousandths of the picture's width, the last in those of the cloud's height.
+# shape PICTURE EMPTY: of what is in the picture and not in the empty one: rows of cloud; the widest in the upper third, the
+# narrowest in the middle and the widest in the lower third, in thousandths of the picture's width; how many rows of the
+# upper half are wider than two thirds of the anvil, in thousandths of the cloud's height.
 shape() {
   convert "$1" "$2" -compose difference -composite -colorspace gray -threshold 5% -scale 1x540\! -depth 8 gray:- |
     od -An -v -tu1 -w1 | awk '
@@ -423,7 +424,8 @@ against_preset() {
 # --- a scene of two others -----------------------------------------------------------------------------------------
 
 of_two() {
-  local one=assets/scenes/forming.cloudscene other=assets/scenes/single_cumulus.cloudscene scene="$out/of_two.cloudscene"
+  local one=assets/scenes/forming.cloudscene other=assets/scenes/single_cumulus.cloudscene
+  local scene="$out/of_two.cloudscene"
   rm -f "$scene"
   begin "$one"
   # All clouds of the one, into a new scene that has none.
