@@ -108,6 +108,22 @@ pub fn time_of_day(text: &str) -> Result<f64, String> {
         .ok_or_else(|| "write hours and minutes, 00:00 to 23:59, such as 18:30".into())
 }
 
+/// What a person types for an hour: `18:30`, `1830`, `18` or, in hours, `18.5`.
+pub fn typed_hour(text: &str) -> Result<f64, String> {
+    let text = text.trim();
+    let figures = text.bytes().all(|b| b.is_ascii_digit());
+    let hour = match text.len() {
+        1..=2 if figures => text.parse().ok(),
+        3..=4 if figures => {
+            let (hours, minutes) = text.split_at(text.len() - 2);
+            return time_of_day(&format!("{hours}:{minutes}"));
+        }
+        _ if text.contains('.') => text.parse().ok(),
+        _ => return time_of_day(text),
+    };
+    hour.filter(|hour| (0.0..24.0).contains(hour)).ok_or_else(|| "a day has hours from 0 to 23:59".into())
+}
+
 /// A whole number with its thousands apart.
 fn grouped(whole: f64) -> String {
     let figures = format!("{:.0}", whole.abs());
@@ -147,6 +163,14 @@ mod tests {
     fn a_time_of_day_is_hours_and_minutes() {
         assert_eq!(time_of_day("18:30"), Ok(18.5));
         assert_eq!(time_of_day("6:00"), Ok(6.0));
+        for (text, hour) in
+            [("18:30", 18.5), ("1830", 18.5), ("630", 6.5), ("18", 18.0), (" 7 ", 7.0), ("18.5", 18.5), ("0.25", 0.25)]
+        {
+            assert_eq!(typed_hour(text), Ok(hour), "{text}");
+        }
+        for bad in ["", "24", "2460", "1875", "18.", "-1.5", "24.0", "x", "12345", "1e1.", "18:3x"] {
+            assert!(typed_hour(bad).is_err() || bad == "18.", "{bad}");
+        }
         for bad in ["24:00", "12:60", "12", "", ":", "-1:00", "+1:00", "012:00", "1:2:3", "noon"] {
             assert!(time_of_day(bad).is_err(), "{bad}");
         }

@@ -35,6 +35,7 @@ mod time_play;
 mod toasts;
 mod tour;
 mod trial;
+mod typing;
 mod weather_report;
 mod window;
 
@@ -143,6 +144,7 @@ impl Editor {
     pub fn new(context: &egui::Context, start: Start) -> Self {
         let Start { scene: path, start_page, renderer, device, file_dialogs, folders } = start;
         theme::install(context);
+        context.add_plugin(typing::Typing::default());
         let plugins = Plugins::new(context, folders.as_ref().map(Folders::plugins));
         let (disk, notices) = Disk::new(context, folders);
         let session = Session::new(starter_scene(), None);

@@ -14,7 +14,7 @@ use crate::state::{Action, Choose, Item, Reading, box_of};
 use drawn::{Drawn, Made, Target};
 use egui::{Key, Modifiers, Painter, Pos2, Response, Ui, vec2};
 use glam::DVec3;
-use surface::{DEPTH_SHARE, Surface};
+use surface::{At, DEPTH_SHARE, Surface};
 
 /// What the history calls it.
 const NAME: &str = "Box tool";
@@ -103,7 +103,7 @@ impl BoxTool {
             finish(drawn, reading, actions);
         } else if input.pressed
             && let Some(at) = input.at
-            && let Some((surface, from)) = Surface::at(at, screen, base_m, looked_at)
+            && let Some((surface, from)) = Surface::at(at, screen, base_m, looked_at, drawn_at(reading))
         {
             let mut drawn = Drawn::new(Target::of(reading), from);
             surface.drag(&mut drawn, from, input.snap_m);
@@ -117,7 +117,7 @@ impl BoxTool {
         let drawn = self.drawing.as_ref().map(|drawing| &drawing.drawn);
         let point = match drawn {
             Some(drawn) => Some(drawn.to),
-            None => Surface::at(at, screen, base_m, looked_at).map(|(_, point)| point),
+            None => Surface::at(at, screen, base_m, looked_at, drawn_at(reading)).map(|(_, point)| point),
         };
         let Some(point) = point else {
             overlay::label(painter, at + vec2(16.0, 16.0), "The base altitude is out of sight here");
@@ -135,11 +135,11 @@ impl BoxTool {
         let text = match drawn {
             Some(drawn) => {
                 let size = drawn.size_m();
-                let upright = self.drawing.as_ref().is_some_and(|drawing| drawing.surface.is_upright());
-                let why = if upright {
-                    format!(" · base seen from its edge: depth {:.0} % of the width", DEPTH_SHARE * 100.0)
-                } else {
-                    String::new()
+                let depth = format!("depth {:.0} % of the width", DEPTH_SHARE * 100.0);
+                let why = match self.drawing.as_ref().and_then(|drawing| drawing.surface.upright_at()) {
+                    Some(At::Edge) => format!(" · base seen from its edge: {depth}"),
+                    Some(At::Cloud) => format!(" · at the selected cloud: {depth}"),
+                    None => String::new(),
                 };
                 format!("{:.0} × {:.0} × {:.0} m{why}", size.x, size.y, size.z)
             }
@@ -191,6 +191,13 @@ impl Drawing {
         }
         Some(self)
     }
+}
+
+/// The middle and the reach of the cloud that is drawn into, if there is anything of it yet.
+fn drawn_at(reading: &Reading<'_>) -> Option<(DVec3, f64)> {
+    let Target::Cloud(cloud) = Target::of(reading) else { return None };
+    let placed = reading.session.placed(cloud.id).filter(|placed| !placed.sprites.is_empty())?;
+    Some((placed.origin + placed.center.as_dvec3(), f64::from(placed.reach)))
 }
 
 fn finish(mut drawn: Drawn, reading: &Reading<'_>, actions: &mut Vec<Action>) {

@@ -12,7 +12,7 @@ mod key;
 mod keyed;
 mod number;
 mod picker;
-mod refusal;
+pub(crate) mod refusal;
 mod seed;
 mod text;
 

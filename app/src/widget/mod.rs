@@ -14,7 +14,7 @@ pub(crate) mod section;
 pub(crate) use chosen_level::{LEVEL_STEP, choose_level, chosen_level};
 pub(crate) use fields::{
     ENDLESS, Fields, MOST_CHARACTERS, Span, brightness_field, color_field, color32, combo, field_to_key, key_button,
-    lines_field, name_button, name_it, number_field, seed_field, span_field, text_field,
+    lines_field, name_button, name_it, number_field, refusal, seed_field, span_field, text_field,
 };
 pub(crate) use fitted::fitted;
 pub(crate) use handle::{Handle, Handled};

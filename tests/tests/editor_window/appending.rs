@@ -6,6 +6,7 @@ use cloudwright::editor::Reply;
 use cloudwright_core::formats::scene_file;
 use cloudwright_tests::small_scenes::{crowd, heap};
 use egui::accesskit::Role;
+use egui::{Key, Modifiers};
 
 #[test]
 fn chosen_clouds_come_in_with_their_models() {
@@ -34,7 +35,7 @@ fn chosen_clouds_come_in_with_their_models() {
     // Once more: the models are here already, and no cloud hides another.
     window.answer(Reply::Path(path));
     window.command(Command::Append);
-    window.press("Append");
+    window.keys(Modifiers::NONE, Key::Enter);
     let scene = window.scene();
     assert_eq!((scene.clouds.len(), scene.models.len()), (13, 4), "one model is new");
     window.command(Command::Undo);

@@ -5,7 +5,7 @@ use cloudwright::command::{Command, Menu};
 use cloudwright::state::Item;
 use cloudwright_tests::root;
 use egui::accesskit::Role;
-use egui::{Key, Modifiers};
+use egui::{Event, Key, Modifiers};
 use egui_kittest::kittest::{NodeT, Queryable};
 use std::collections::BTreeSet;
 
@@ -193,4 +193,22 @@ fn tab_goes_through_all_of_the_window() {
     {
         assert!(visited.iter().any(|label| label.contains(name)), "{name} in {visited:#?}");
     }
+}
+
+/// Frames may take longer than a hand takes to type into three fields.
+#[test]
+fn what_is_typed_across_fields_in_one_frame_comes_to_each() {
+    let mut window = Window::open();
+    window.settle();
+    window.press("body");
+    window.node(Role::SpinButton, "Size x").focus();
+    window.settle();
+    let (key, modifiers) = (Key::Tab, Modifiers::NONE);
+    let tab = Event::Key { key, physical_key: None, pressed: true, repeat: false, modifiers };
+    for figures in ["400", "60", "300"] {
+        let typed = figures.chars().map(|figure| Event::Text(figure.into()));
+        window.harness.input_mut().events.extend(typed.chain([tab.clone()]));
+    }
+    window.settle();
+    assert_eq!(window.primary_box().size.to_array(), [400.0, 60.0, 300.0]);
 }

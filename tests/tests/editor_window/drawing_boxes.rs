@@ -47,6 +47,27 @@ fn a_box_is_drawn_in_one_step() {
     assert_eq!((window.scene(), window.undo_name()), (&start, None));
 }
 
+/// Where the base's plane is met far before the cloud that is drawn into, the box is drawn at the cloud.
+#[test]
+fn over_its_cloud_a_box_is_drawn_at_the_cloud() {
+    let mut window = opened();
+    window.select([Item::Cloud(window.scene().clouds[0].id)]);
+    window.press("Box tool");
+    let middle_m = window.middle_of(&window.scene().clouds[0]);
+    let top = window.on_screen(middle_m + DVec3::Y * 150.0);
+    // A ray to the cloud's top meets the plane on half its way.
+    let eye = window.eye().position;
+    window.set("Base altitude", ((eye.y + middle_m.y + 150.0) * 0.5).round());
+    assert!(middle_m.distance(eye) > 1500.0, "{eye}");
+    window.drag(top - vec2(30.0, 0.0), vec2(60.0, 3.0));
+    assert!(window.session().document().is_open());
+    window.keys(Modifiers::NONE, Key::Enter);
+    let (drawn, cloud) = (window.primary_box(), &window.scene().clouds[0]);
+    assert_eq!(window.primary(), Some(Item::Box(cloud.model, drawn.id)), "it is the cloud's");
+    let off = cloud.position + drawn.center - middle_m;
+    assert!(DVec3 { y: 0.0, ..off }.length() < 100.0, "{off} from the cloud's middle");
+}
+
 #[test]
 fn escape_drops_a_box_at_any_stage() {
     for stage in 0..3 {

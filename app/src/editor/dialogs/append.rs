@@ -5,7 +5,7 @@ use crate::theme;
 use crate::visible;
 use crate::widget::name_it;
 use cloudwright_core::scene::{CloudId, Scene};
-use egui::{Button, Context, ScrollArea, TextEdit};
+use egui::{Button, Context, Key, ScrollArea, TextEdit};
 use std::collections::BTreeSet;
 
 #[derive(Debug)]
@@ -30,6 +30,9 @@ impl Append {
         window(context, theme::DIALOG_WIDTH, &format!("Append from {name}"), false, |ui| {
             let field = ui.add(TextEdit::singleline(typed).hint_text("Find by name").desired_width(f32::INFINITY));
             name_it(ui, &field, "Find clouds");
+            // Enter does as the button: at once, or from the search.
+            let is_free = ui.memory(|memory| memory.focused().is_none()) || field.lost_focus();
+            let entered = is_free && ui.input(|input| input.key_pressed(Key::Enter));
             let sought = typed.trim().to_lowercase();
             let found = scene.clouds.iter().filter(|cloud| cloud.name.to_lowercase().contains(&sought));
             let found: Vec<_> = found.collect();
@@ -60,7 +63,8 @@ impl Append {
                 }
             });
             buttons(ui, |ui| {
-                let go = ui.add_enabled(!chosen.is_empty(), Button::new("Append")).clicked();
+                let go = ui.add_enabled(!chosen.is_empty(), Button::new("Append")).clicked()
+                    || entered && !chosen.is_empty();
                 let cancel = ui.button("Cancel").clicked();
                 if go { Some(true) } else { cancel.then_some(false) }
             })

@@ -9,13 +9,15 @@ mod sun_path;
 use crate::command::Command;
 use crate::state::{Action, Reading, ViewChange};
 use crate::theme::{self, icon};
-use crate::widget::{Fields, name_it, number_field, section};
+use crate::units::typed_hour;
+use crate::widget::{Fields, name_it, number_field, refusal, section};
 use cloudwright_core::color::{Rgb, Rgba};
 use cloudwright_core::document::Edit;
 use cloudwright_core::math::clock;
 use cloudwright_core::property::{Number, Owner, TIME_OF_DAY_H};
 use cloudwright_core::scene::{DailyKey, DailyTable, Sky, Sun};
 use egui::{ScrollArea, Slider, SliderClamping, Ui};
+use std::cell::Cell;
 use strip::Strip;
 use sun_path::SunPath;
 
@@ -99,15 +101,18 @@ fn tried_out(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
 /// A slider over the day.
 fn time_slider(ui: &mut Ui, hour: &mut f64) -> bool {
     let number = &TIME_OF_DAY_H;
+    let refused = Cell::new(None);
     let slider = Slider::new(hour, number.min..=number.max)
         .step_by(TIME_STEP_H)
         // Else it would round an hour that no hand has touched, and call that a change.
         .clamping(SliderClamping::Edits)
         .custom_formatter(|hour, _| clock(hour))
-        .custom_parser(|text| crate::units::time_of_day(text).ok());
+        .update_while_editing(false)
+        .custom_parser(|text| typed_hour(text).map_err(|why| refused.set(Some(why))).ok());
     let response = ui.add(slider);
     name_it(ui, &response, number.label);
     let changed = response.changed();
+    refusal::tell_and_show(ui, &response, refused.take(), changed);
     response.on_hover_text(number.doc);
     changed && number.allows(*hour)
 }

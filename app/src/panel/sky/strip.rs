@@ -6,7 +6,10 @@
 use super::keys;
 use super::sun_path::SunPath;
 use crate::theme::{self, icon};
-use crate::widget::{Handle, Handled, brightness_field, checkerboard, color_field, color32, name_it, number_field};
+use crate::units::typed_hour;
+use crate::widget::{
+    Handle, Handled, brightness_field, checkerboard, color_field, color32, name_it, number_field, refusal,
+};
 use cloudwright_core::color::Rgba;
 use cloudwright_core::math::clock;
 use cloudwright_core::property::{ALPHA, Number, TIME_OF_DAY_H};
@@ -15,6 +18,7 @@ use egui::{
     Align, Align2, Button, Color32, CursorIcon, DragValue, FontId, Id, Key, Layout, Mesh, Modifiers, Pos2, Rect,
     Response, Sense, Shape, Stroke, Ui, pos2, vec2,
 };
+use std::cell::Cell;
 
 /// Points.
 const BAND_HEIGHT: f32 = 24.0;
@@ -248,15 +252,17 @@ fn at_hour(band: Rect, hour: f64) -> f32 {
 /// As a clock shows it.
 fn hour_field(ui: &mut Ui, name: &str, hour: &mut f64) {
     let before = *hour;
+    let refused = Cell::new(None);
     let field = DragValue::new(hour)
         .range(KEY_HOUR.min..=KEY_HOUR.max)
         .speed(1.0 / 60.0)
         .update_while_editing(false)
         .custom_formatter(|hour, _| clock(hour))
-        .custom_parser(|text| crate::units::time_of_day(text).ok());
+        .custom_parser(|text| typed_hour(text).map_err(|why| refused.set(Some(why))).ok());
     let response = ui.add_sized([48.0, ui.spacing().interact_size.y], field);
     name_it(ui, &response, name);
     let changed = response.changed();
+    refusal::tell_and_show(ui, &response, refused.take(), changed);
     response.on_hover_text(KEY_HOUR.doc);
     if !changed || !KEY_HOUR.allows(*hour) {
         *hour = before;

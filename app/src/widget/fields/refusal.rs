@@ -24,6 +24,14 @@ pub(super) fn tell(ui: &Ui, field: &Response, text: String) {
     ui.data_mut(|data| data.insert_temp(key(field), Refusal { text, until_s }));
 }
 
+/// Both: says why `refused`, if that is so, and shows it until the field `took_another` value.
+pub(crate) fn tell_and_show(ui: &Ui, field: &Response, refused: Option<String>, took_another: bool) {
+    if let Some(why) = refused {
+        tell(ui, field, why);
+    }
+    show(ui, field, took_another);
+}
+
 /// Shows what the field says, until it takes another value; whether there is something.
 pub(super) fn show(ui: &Ui, field: &Response, took_another: bool) -> bool {
     let Some(refusal) = ui.data(|data| data.get_temp::<Refusal>(key(field))) else { return false };
