@@ -38,6 +38,7 @@ mod places;
 mod plane;
 mod props;
 mod quad;
+mod ruler;
 mod screen;
 mod side;
 mod steer;
@@ -248,6 +249,9 @@ impl Viewport {
         let sight = self.paint_picture(ui, &response, &painter, path_view.as_ref(), reading);
         if let Some(ground) = reading.session.scene().ground.as_ref().filter(|_| sight.hidden.ground) {
             parallel::paint_ground(&painter, &screen, self.navigation.pivot(), ground.altitude_m);
+        }
+        if self.is_orthographic() {
+            ruler::paint(&painter, &screen, self.navigation.pivot(), reading.units);
         }
         self.marks.paint(&painter, &screen, &sight, reading);
         wireframe::paint(&painter, &screen, reading);

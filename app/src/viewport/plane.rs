@@ -51,7 +51,7 @@ pub(super) fn paint_patch(painter: &Painter, screen: &Screen, space: &ModelSpace
 }
 
 /// A step of 1, 2 or 5 times a power of ten near `wanted_m`; a multiple of `least_m` if that is given.
-fn round_step(wanted_m: f64, least_m: f64) -> f64 {
+pub(super) fn round_step(wanted_m: f64, least_m: f64) -> f64 {
     let wanted_m = wanted_m.max(1e-3);
     if least_m > 0.0 {
         return least_m * (wanted_m / least_m).round().max(1.0);
