@@ -10,6 +10,7 @@ pub use in_order::InOrder;
 use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::thread;
+use std::time::{Duration, Instant};
 
 /// A thread that answers the latest of its requests. Ends when dropped, after the work in hand.
 #[derive(Debug)]
@@ -95,6 +96,20 @@ impl<Request: Send + 'static, Answer: Send + 'static> Latest<Request, Answer> {
     /// The newest answer since the last call.
     pub fn newest(&self) -> Option<Answer> {
         self.answers.try_iter().last()
+    }
+
+    /// The same, but waits until `is_it` the one that is wanted, though no longer than `most`.
+    pub(crate) fn newest_within(&self, most: Duration, is_it: impl Fn(&Answer) -> bool) -> Option<Answer> {
+        let begun = Instant::now();
+        let mut newest = self.newest();
+        while !newest.as_ref().is_some_and(&is_it) {
+            let Some(left) = most.checked_sub(begun.elapsed()) else { break };
+            match self.answers.recv_timeout(left) {
+                Ok(answer) => newest = Some(answer),
+                Err(_) => break,
+            }
+        }
+        newest
     }
 }
 

@@ -394,6 +394,10 @@ impl Editor {
 }
 
 impl eframe::App for Editor {
+    fn clear_color(&self, visuals: &egui::Visuals) -> [f32; 4] {
+        theme::clear_color(visuals)
+    }
+
     fn ui(&mut self, ui: &mut egui::Ui, _frame: &mut eframe::Frame) {
         let context = ui.ctx().clone();
         self.take_up_what_is_done(&context);

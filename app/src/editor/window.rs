@@ -5,6 +5,7 @@ use super::{Editor, NativeDialogs, Start};
 use crate::renderer::RendererChoice;
 use crate::signals;
 use crate::storage::{Folders, Settings};
+use crate::theme;
 use cloudwright_render::Gpu;
 use eframe::egui_wgpu::{WgpuSetup, WgpuSetupCreateNew};
 use eframe::wgpu;
@@ -50,6 +51,7 @@ pub fn open_window(scene: Option<&Path>, renderer: Option<RendererChoice>) -> Re
             let device = creation.wgpu_render_state.clone();
             let has_folders = folders.is_some();
             let start = Start { scene, start_page, renderer, device, file_dialogs: Box::new(NativeDialogs), folders };
+            theme::panels_stand_on_clear(&creation.egui_ctx);
             let mut editor = Editor::new(&creation.egui_ctx, start);
             if !has_folders {
                 editor.tell_error(unkept("there is no home folder to keep it in"));

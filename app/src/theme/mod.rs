@@ -7,7 +7,7 @@ pub(crate) use tint::{group_tint, of_folder, tint_of, tints};
 
 use cloudwright_core::method::Family;
 use egui::{
-    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Frame, Margin, RichText, Stroke, Style,
+    Color32, Context, CornerRadius, FontData, FontDefinitions, FontFamily, Frame, Id, Margin, RichText, Stroke, Style,
     Theme, Ui, Vec2, Visuals, vec2,
 };
 use egui_code_editor::{Color32Theme, ColorTheme};
@@ -262,14 +262,34 @@ pub(crate) fn menu(style: &mut Style) {
     style.visuals.widgets.active.bg_stroke = Stroke::new(FOCUS_WIDTH, focus_color(style.visuals.dark_mode));
 }
 
+/// The window clears itself to the panels' colour, so that they need not be filled with it: where a program paints, that is
+/// a third of all its pixels.
+pub(crate) fn panels_stand_on_clear(context: &Context) {
+    context.data_mut(|data| data.insert_temp(cleared(), true));
+}
+
+/// What the window is to be cleared to.
+pub(crate) fn clear_color(visuals: &Visuals) -> [f32; 4] {
+    visuals.panel_fill.to_normalized_gamma_f32()
+}
+
+fn cleared() -> Id {
+    Id::unique("the window clears itself to the panels' colour")
+}
+
+fn on_panel_color(ui: &Ui) -> Frame {
+    let is_there = ui.data(|data| data.get_temp(cleared())).unwrap_or(false);
+    if is_there { Frame::new() } else { Frame::new().fill(ui.visuals().panel_fill) }
+}
+
 /// Menus, tools and status.
 pub(crate) fn bar(ui: &Ui) -> Frame {
-    Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(8, 4))
+    on_panel_color(ui).inner_margin(Margin::symmetric(8, 4))
 }
 
 /// Outline and inspector.
 pub(crate) fn side(ui: &Ui) -> Frame {
-    Frame::new().fill(ui.visuals().panel_fill).inner_margin(Margin::symmetric(10, 8))
+    on_panel_color(ui).inner_margin(Margin::symmetric(10, 8))
 }
 
 /// Windows that come up over the editor.

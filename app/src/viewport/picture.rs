@@ -20,7 +20,7 @@ use egui::{Color32, ColorImage, TextureId};
 use std::time::Duration;
 
 /// While a hand moves something, pictures should take no longer.
-const QUICK: Duration = Duration::from_millis(40);
+const QUICK: Duration = Duration::from_millis(18);
 
 /// Of a picture's pixels during a gesture, the longest side in the viewport's pixels.
 const COARSEST: u32 = 4;
@@ -126,6 +126,7 @@ impl PictureSource {
             None => {
                 let cpu = self.cpu.get_or_insert_with(|| ByCpu::new(&self.context));
                 cpu.ask(session, &key.sight, self.coarseness);
+                cpu.wait();
             }
         }
         self.asked = Some(key);
@@ -154,7 +155,7 @@ fn coarseness(rasterizer: Rasterizer, so_far: u32, last: Option<(Duration, u32)>
     }
     let Some((time, drawn_at)) = last else { return so_far };
     let is_quick = |side: u32| time.mul_f32((drawn_at as f32 / side as f32).powi(2)) <= QUICK;
-    [1, 2].into_iter().find(|&side| side >= so_far && is_quick(side)).unwrap_or(COARSEST)
+    [1, 2, 3].into_iter().find(|&side| side >= so_far && is_quick(side)).unwrap_or(COARSEST)
 }
 
 #[cfg(test)]
@@ -165,8 +166,8 @@ mod tests {
     fn pictures_of_a_gesture_get_coarser_until_they_are_quick() {
         let fast = Rules::SHIPPED.rasterizer;
         let after = |so_far, ms, drawn_at| coarseness(fast, so_far, Some((Duration::from_millis(ms), drawn_at)));
-        assert_eq!([after(1, 30, 1), after(1, 100, 1), after(1, 300, 1), after(1, 9000, 1)], [1, 2, 4, 4]);
-        assert_eq!([after(2, 30, 2), after(2, 50, 2), after(4, 5, 4), after(4, 500, 4)], [2, 4, 4, 4]);
+        assert_eq!([after(1, 15, 1), after(1, 60, 1), after(1, 150, 1), after(1, 9000, 1)], [1, 2, 3, 4]);
+        assert_eq!([after(2, 15, 2), after(2, 30, 2), after(4, 5, 4), after(4, 500, 4)], [2, 3, 4, 4]);
         assert_eq!(coarseness(fast, 1, None), 1);
         assert_eq!(coarseness(Rasterizer::Truth, 1, Some((Duration::from_millis(5), 1))), COARSEST);
     }

@@ -1,7 +1,7 @@
 //! How much memory the way back may take: the oldest points are forgotten beyond that.
 
 use super::Document;
-use super::transaction::UndoPoint;
+use serde::Serialize;
 use std::io;
 
 /// Counts what is written.
@@ -18,11 +18,11 @@ impl io::Write for Counter {
     }
 }
 
-/// About what a point takes: its length as JSON, which is within a factor of three.
-pub(super) fn bytes_of(point: &UndoPoint) -> u64 {
+/// About what a value takes: its length as JSON, which is within a factor of three.
+pub(super) fn bytes_of(value: &impl Serialize) -> u64 {
     let mut counter = Counter(0);
     // What can't be said as JSON is no number, and refused by every edit.
-    let _ = serde_json::to_writer(&mut counter, point);
+    let _ = serde_json::to_writer(&mut counter, value);
     counter.0
 }
 
