@@ -115,9 +115,9 @@ fn what_cannot_be_flown_is_said_before_drawing() {
 }
 
 #[test]
-fn the_cpu_says_once_that_it_leaves_aircraft_out() {
+fn the_cpu_draws_the_aircraft_ahead() {
     let place = place();
-    assert!(!fly(&place, "-o out --frames 0..2").contains("aircraft"));
+    fly(&place, "-o empty --frames 2..4");
     place.put(
         "flown.cloudscene",
         &changed(|scene| {
@@ -126,7 +126,11 @@ fn the_cpu_says_once_that_it_leaves_aircraft_out() {
             scene["aircraft"] = json!([{ "id": 903, "name": "leader", "path": 901, "ahead_s": 0.1, "scale": 1.0 }]);
         }),
     );
-    assert_eq!(fly(&place, "-o out --frames 2..4").matches("aircraft").count(), 1);
+    fly(&place, "-o flown --frames 2..4");
+    for frame in ["west_00002.png", "west_00003.png"] {
+        let [empty, flown] = ["empty", "flown"].map(|folder| place.read(&format!("{folder}/{frame}")));
+        assert!(empty != flown, "{frame}: the leader shows");
+    }
 }
 
 #[test]
