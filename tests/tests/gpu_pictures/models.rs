@@ -99,8 +99,8 @@ fn around_the_eye(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     })
 }
 
-/// A GPU moves corners to one in 256 parts of a pixel, so of the pixels through which edges go one in hundreds shows another face;
-/// an aircraft that fills a picture of 192 × 128 pixels has some thousands of those.
+/// A GPU moves corners to one in 256 parts of a pixel, so of the pixels through which edges go one in hundreds shows another
+/// face; an aircraft that fills a picture of 192 × 128 pixels has some thousands of those.
 fn as_by_the_cpu(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
         for (distance_m, scale) in [(14.0, 1.0), (1750.0, 60.0)] {
