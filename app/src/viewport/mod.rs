@@ -26,6 +26,7 @@ mod looking;
 mod marks;
 mod marquee;
 mod memory;
+mod menu;
 mod navigation;
 mod on_board;
 mod onto;
@@ -49,10 +50,8 @@ mod wireframe;
 pub(crate) use grab::Grabbed;
 pub(crate) use picture::image;
 
-use crate::command::context;
 use crate::renderer::RendererChoice;
 use crate::state::{Action, Choose, Item, Reading, Session, Tool, ViewChange};
-use crate::widget::context_menu;
 use box_tool::BoxTool;
 use canvas::Canvas;
 use cloudwright_core::scene::Camera;
@@ -266,7 +265,7 @@ impl Viewport {
         level_handles::show(ui, rect, &screen.view, reading, actions);
         if let Some(side) = pinned {
             overlay::plate(ui, rect.left_top() + vec2(14.0, 10.0), Align2::LEFT_TOP, side.name());
-            return self.menu_where(self.own_gesture(), &response, &screen, reading, actions);
+            return self.menu(!self.own_gesture(), &response, &screen, reading, actions);
         }
         if self.fly_control.is_held() {
             overlay::flying_hint(&painter, rect, &reading.units.speed().text(self.fly_control.speed_m_s()));
@@ -296,41 +295,7 @@ impl Viewport {
                 ui.ctx().request_repaint();
             }
         }
-        self.menu_where(!may_ask, &response, &screen, reading, actions);
-    }
-
-    /// The menu of the right button, unless that means something else now.
-    fn menu_where(
-        &self,
-        means_else: bool,
-        response: &Response,
-        screen: &Screen,
-        reading: &Reading<'_>,
-        actions: &mut Vec<Action>,
-    ) {
-        if !means_else || !response.secondary_clicked() {
-            self.menu(response, screen, reading, actions);
-        }
-    }
-
-    /// A click of the right button offers what can be done with what lies there, which is chosen unless it is already.
-    fn menu(&self, response: &Response, screen: &Screen, reading: &Reading<'_>, actions: &mut Vec<Action>) {
-        if response.secondary_clicked()
-            && let Some(at) = response.interact_pointer_pos()
-        {
-            let picked = match self.paths.under(at, screen) {
-                Some((path, _)) => Some(Picked { item: Item::Path(path), through: None }),
-                None => {
-                    let under = pick::under(at, screen, reading);
-                    under.get(pick::first(&under, reading)).copied()
-                }
-            };
-            if let Some(Picked { item, through }) = picked.filter(|found| !reading.view.selection.contains(found.item))
-            {
-                actions.push(Action::Select { items: vec![item], through, how: Choose::Only });
-            }
-        }
-        actions.extend(context_menu(response, context::VIEWPORT, reading.offered).map(Action::Command));
+        self.menu(may_ask, &response, &screen, reading, actions);
     }
 
     /// How marks at sprites are to see them.
