@@ -11,7 +11,7 @@ pub use plan::Plan;
 
 use crate::change::Change;
 use crate::scene::{Cloud, CloudId, CloudModel, ModelId, Scene};
-use crate::sprites::{PlacedCloud, PopulatedModel, Shapes};
+use crate::sprites::{Bake, PlacedCloud, PopulatedModel, Shapes};
 use crate::version::Version;
 use crate::watch::Watch;
 use crate::weather::{CloudNow, Timeline, WeatherRules, clouds_now};
@@ -41,6 +41,8 @@ type Key = (ModelId, u64);
 struct Populated {
     model: Arc<CloudModel>,
     sprites: Arc<PopulatedModel>,
+    /// The light that is baked of it, if the model is lit so.
+    bake: Option<Bake>,
 }
 
 /// All that a placed cloud comes from.
@@ -145,6 +147,21 @@ impl Derived {
     /// What there is to compute before this is `scene`'s, if no more than `change` has touched it since it was this.
     pub fn plan<'a>(&'a self, scene: &'a Scene, change: &Change) -> Plan<'a> {
         Plan::new(self, scene, change)
+    }
+
+    /// Whether light is still to be baked: until then clouds are lit by what is known of their sprites from before, or by
+    /// their groups alone.
+    pub fn is_unbaked(&self) -> bool {
+        self.bakes().any(|bake| bake.work() > 0)
+    }
+
+    /// Bakes the light that is still to be baked, for this and all copies of it; false if `watch` is cancelled before.
+    pub fn bake(&self, watch: &Watch) -> bool {
+        self.bakes().all(|bake| bake.finish(watch))
+    }
+
+    fn bakes(&self) -> impl Iterator<Item = &Bake> {
+        self.populated.values().filter_map(|populated| populated.bake.as_ref())
     }
 
     /// The cloud of that index with none beside it, as if the scene had no other.

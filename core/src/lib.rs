@@ -9,6 +9,7 @@
 //! ```
 
 pub mod arrange;
+pub mod baked;
 pub mod camera;
 pub mod change;
 pub mod color;

@@ -5,7 +5,7 @@
 
 use crate::camera::View;
 use crate::facing::{Facing, Pose, corners};
-use crate::shading::{CornerLight, corner_light};
+use crate::shading::{CornerLight, Through, corner_light};
 use crate::sprites::{Group, Sprite};
 use crate::weather::{CloudNow, Light};
 use glam::Vec3;
@@ -28,6 +28,8 @@ pub struct PosedSprite<'a> {
     /// How much of it has condensed, 0 to 1.
     condensed: f32,
     light: &'a Light,
+    /// The sun's light that comes through its cloud, if that is lit by it.
+    through: Option<Through>,
 }
 
 impl<'a> PosedSprite<'a> {
@@ -36,7 +38,8 @@ impl<'a> PosedSprite<'a> {
         let (rest, sprite) = (&cloud.placed.sprites[index], cloud.sprite_now(index));
         let group = &cloud.groups()[sprite.group as usize];
         let condensed = cloud.condensed(index);
-        Self { rest, sprite, group, pose, facing: pose.facing(sprite.rotation), cloud, condensed, light }
+        let through = Through::new(cloud, index, light, pose.towards);
+        Self { rest, sprite, group, pose, facing: pose.facing(sprite.rotation), cloud, condensed, light, through }
     }
 
     /// Its corners, top left first and clockwise, about its centre as that counts from wherever the caller counts.
@@ -46,8 +49,11 @@ impl<'a> PosedSprite<'a> {
 
     /// The light on it at `offset` from its centre, as it is now; its alpha is what air and the eye's nearness leave.
     pub fn light_at(&self, offset: Vec3) -> CornerLight {
-        let point = self.rest.position + self.cloud.at_rest_from(offset);
-        let mut lit = corner_light(point, self.cloud, self.group, self.light);
+        let at_rest = self.cloud.at_rest_from(offset);
+        let mut lit = corner_light(self.rest.position + at_rest, self.cloud, self.group, self.light);
+        if let Some(through) = &self.through {
+            through.light(&mut lit, self.cloud.in_model(at_rest) / self.rest.reach(), self.group, self.light);
+        }
         lit.ambient.a *= self.pose.fade * self.condensed;
         lit
     }

@@ -11,13 +11,14 @@
 use crate::buffer::VertexBuffer;
 use crate::texture::DataTexture;
 use crate::{Gpu, RenderError};
+use cloudwright_core::baked::{Around, DIRECTIONS, WORDS};
 use cloudwright_core::camera::View;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::sprites::{Group, PlacedCloud, Sprite, Sprites};
 use cloudwright_core::version::Version;
-use cloudwright_core::weather::CloudNow;
+use cloudwright_core::weather::{CloudNow, Light};
 use std::sync::Arc;
 
 /// What the vertex shader is given of a sprite: cloud index, sprite address, and pose, if it has one of its own.
@@ -52,7 +53,8 @@ pub(crate) struct CloudTexels {
     bottom: f32,
     top: f32,
     level_height_4: f32,
-    unused: f32,
+    /// Where what is baked of its sprites begins, counted from where its sprites do; wraps.
+    baked_from_sprites: u32,
     level_heights_0_to_3: [f32; 4],
     level_colors: [[f32; 4]; 5],
 }
@@ -71,6 +73,14 @@ pub(crate) struct MomentTexels {
     turn: [f32; 2],
     /// Negative in air that carries nothing.
     reach_m: f32,
+    /// Of the sun's light.
+    self_shadow: f32,
+    /// The directions around the light's, a byte each, and their shares.
+    around: u32,
+    shares: [f32; 3],
+    /// Sine and cosine of the turn from the model's space.
+    heading: [f32; 2],
+    halo: f32,
     unused: f32,
 }
 
@@ -78,6 +88,11 @@ pub(crate) struct MomentTexels {
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
 #[repr(transparent)]
 pub(crate) struct StirTexel([u32; 4]);
+
+/// The light that is baked of a sprite: its words, and two that are not used.
+#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
+#[repr(transparent)]
+pub(crate) struct BakedTexels([u32; 16]);
 
 /// A sprite near the eye, in one frame.
 #[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
@@ -101,6 +116,13 @@ struct Uploaded {
     has_stirs: bool,
 }
 
+/// What is baked of a model, as the textures hold it: of which its words are, and where they begin.
+#[derive(Debug)]
+struct UploadedBaked {
+    words: Arc<[u32]>,
+    first: usize,
+}
+
 /// All that the sprites pass reads but the atlas.
 #[derive(Debug)]
 pub(crate) struct CloudData {
@@ -111,12 +133,15 @@ pub(crate) struct CloudData {
     pub(crate) poses: DataTexture,
     /// Empty until there is weather.
     pub(crate) stirs: DataTexture,
+    /// Empty until a cloud is lit by it.
+    pub(crate) baked: DataTexture,
     /// Cloud index, sprite address and pose of each sprite to draw, back to front.
     pub(crate) order: VertexBuffer,
     /// The same in the order that fades out.
     pub(crate) older_order: VertexBuffer,
     /// What sprites, groups and clouds hold, and of which version that is; nothing after an error.
     uploaded: Vec<Uploaded>,
+    uploaded_baked: Vec<UploadedBaked>,
     version: Option<Version>,
     /// Whether colours or light of any cloud were those of a moment.
     looks: bool,
@@ -133,9 +158,11 @@ impl CloudData {
             moments: DataTexture::new(gpu, "clouds in this frame"),
             poses: DataTexture::new(gpu, "poses"),
             stirs: DataTexture::new(gpu, "what the air makes of sprites"),
+            baked: DataTexture::new(gpu, "light at sprites"),
             order: VertexBuffer::new(gpu, "the list of sprites in view"),
             older_order: VertexBuffer::new(gpu, "the list of sprites in view"),
             uploaded: Vec::new(),
+            uploaded_baked: Vec::new(),
             version: None,
             looks: false,
             bytes_uploaded: 0,
@@ -150,7 +177,9 @@ impl CloudData {
         let mut renewed = false;
         self.bytes_uploaded = 0;
         let looks = frame.now.clouds.iter().any(|cloud| cloud.look.is_some());
-        if self.version != Some(frame.clouds_version) || looks || self.looks {
+        let baked = self.write_baked(gpu, &frame.now.clouds)?;
+        renewed |= baked == Some(true);
+        if self.version != Some(frame.clouds_version) || looks || self.looks || baked.is_some() {
             self.version = None;
             renewed |= self.write_clouds(gpu, &frame.now.clouds)?;
             (self.version, self.looks) = (Some(frame.clouds_version), looks);
@@ -159,7 +188,7 @@ impl CloudData {
             renewed |= self.write_stirs(gpu, frame.clouds)?;
         }
         let moments: Vec<MomentTexels> =
-            frame.now.clouds.iter().map(|cloud| moment_texels(cloud, &frame.view)).collect();
+            frame.now.clouds.iter().map(|cloud| moment_texels(cloud, &frame.view, &frame.now.light)).collect();
         let mut poses: Vec<PoseTexels> = frame.list.poses.iter().map(pose_texels).collect();
         // Both orders show the same poses.
         let order = self.in_order(frame, &frame.list, &mut poses);
@@ -183,7 +212,9 @@ impl CloudData {
             let firsts = (first_sprite, first_group);
             (first_sprite, first_group) = (first_sprite + sprites.len(), first_group + groups.len());
             let (first_sprite, first_group) = firsts;
-            Uploaded { sprites, groups, cloud: cloud_texels(cloud), first_sprite, first_group, has_stirs: false }
+            let first_baked = self.first_baked(cloud).map_or(0, |first| first.wrapping_sub(first_sprite as u32));
+            let cloud = cloud_texels(cloud, first_baked);
+            Uploaded { sprites, groups, cloud, first_sprite, first_group, has_stirs: false }
         });
         let mut after: Vec<Uploaded> = uploaded.collect();
         let new_sprites = self.sprites.reserve::<SpriteTexels>(gpu, first_sprite)?;
@@ -218,6 +249,40 @@ impl CloudData {
         }
         self.uploaded = after;
         Ok(new_sprites | new_groups | new_clouds)
+    }
+
+    /// The light at the sprites of the models that have it, each once. None if all stands as it did; else whether the texture
+    /// is a new one.
+    fn write_baked(&mut self, gpu: &Gpu, clouds: &[CloudNow<'_>]) -> Result<Option<bool>, RenderError> {
+        let mut after: Vec<UploadedBaked> = Vec::new();
+        let mut first = 0;
+        for words in clouds.iter().filter_map(|cloud| Some(cloud.baked?.words())) {
+            // Placements of a model mostly follow one another.
+            if !after.iter().rev().any(|known| Arc::ptr_eq(&known.words, words)) {
+                after.push(UploadedBaked { words: Arc::clone(words), first });
+                first += words.len() / WORDS;
+            }
+        }
+        let same = |(old, now): (&UploadedBaked, &UploadedBaked)| Arc::ptr_eq(&old.words, &now.words);
+        if after.len() == self.uploaded_baked.len() && self.uploaded_baked.iter().zip(&after).all(same) {
+            return Ok(None);
+        }
+        let before = std::mem::take(&mut self.uploaded_baked);
+        let is_new = self.baked.reserve::<BakedTexels>(gpu, first)?;
+        let parts = after.iter().enumerate().map(|(index, now)| {
+            let old = before.get(index).filter(|old| !is_new && old.first == now.first);
+            let is_known = old.is_some_and(|old| Arc::ptr_eq(&old.words, &now.words));
+            (now.first, is_known, now.words.chunks_exact(WORDS).map(baked_texels))
+        });
+        self.bytes_uploaded += write_unknown(gpu, &self.baked, parts);
+        self.uploaded_baked = after;
+        Ok(Some(is_new))
+    }
+
+    /// Where what is baked of a cloud's model begins, if anything is.
+    fn first_baked(&self, cloud: &CloudNow<'_>) -> Option<u32> {
+        let words = cloud.baked?.words();
+        Some(self.uploaded_baked.iter().find(|known| Arc::ptr_eq(&known.words, words))?.first as u32)
     }
 
     /// What the air makes of the sprites of clouds of which it is not known yet.
@@ -305,7 +370,11 @@ fn group_texels(group: &Group) -> GroupTexels {
     GroupTexels { center: group.center.to_array(), c: group.c, unused: [0.0; 2] }
 }
 
-fn cloud_texels(cloud: &CloudNow<'_>) -> CloudTexels {
+fn baked_texels(words: &[u32]) -> BakedTexels {
+    BakedTexels(std::array::from_fn(|word| words.get(word).copied().unwrap_or_default()))
+}
+
+fn cloud_texels(cloud: &CloudNow<'_>, baked_from_sprites: u32) -> CloudTexels {
     let (levels, cloud) = (cloud.color_levels(), cloud.placed);
     let heights = levels.map(|level| level.height as f32);
     let [h0, h1, h2, h3, level_height_4] = heights;
@@ -315,13 +384,16 @@ fn cloud_texels(cloud: &CloudNow<'_>) -> CloudTexels {
         bottom: cloud.bottom,
         top: cloud.top,
         level_height_4,
-        unused: 0.0,
+        baked_from_sprites,
         level_heights_0_to_3: [h0, h1, h2, h3],
         level_colors: levels.map(|level| level.color.to_array()),
     }
 }
 
-fn moment_texels(cloud: &CloudNow<'_>, view: &View) -> MomentTexels {
+fn moment_texels(cloud: &CloudNow<'_>, view: &View, light: &Light) -> MomentTexels {
+    let Around { at: [a, b, c], share } = DIRECTIONS.around(cloud.in_model(cloud.direction_at_rest(light.direction)));
+    let soft_light = cloud.placed.soft_light;
+    let as_baked = |share: f32| if cloud.baked.is_some() { share } else { 0.0 };
     MomentTexels {
         from_eye: cloud.from_eye(view.eye).to_array(),
         formed_core: cloud.formed.core,
@@ -331,6 +403,11 @@ fn moment_texels(cloud: &CloudNow<'_>, view: &View) -> MomentTexels {
         scale: cloud.scale,
         turn: cloud.turn.sin_cos(),
         reach_m: cloud.air.as_ref().map_or(-1.0, |air| air.reach_m),
+        self_shadow: as_baked(soft_light.self_shadow),
+        around: a | (b << 8) | (c << 16),
+        shares: share,
+        heading: cloud.placed.heading,
+        halo: as_baked(soft_light.halo),
         unused: 0.0,
     }
 }

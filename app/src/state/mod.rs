@@ -4,6 +4,7 @@
 //! read it as a `Reading` and return `Action`s, which the editor carries out.
 
 mod action;
+mod baking;
 mod charting;
 mod clock;
 pub(crate) mod color_levels;

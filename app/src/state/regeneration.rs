@@ -94,7 +94,7 @@ impl Regeneration {
         if self.worker.is_none() {
             let wake = context.clone();
             let work = |(request, watch): (Request, Arc<Watch>)| {
-                request.before.plan(&request.scene, &request.change).carry_out(&watch)
+                request.before.plan(&request.scene, &request.change).place(&watch)
             };
             // Without a thread the clouds stay as they are, and the bar shows that they wait.
             self.worker = Latest::start_beside_the_window("clouds", work, move || wake.request_repaint()).ok();

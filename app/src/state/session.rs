@@ -7,6 +7,7 @@
 //! `stale` is whatever may differ between the scene and what is derived. It grows with every change, and is emptied
 //! only when the clouds are those of the scene as it is; so nothing is lost, whatever happens on the way.
 
+use super::baking::Baking;
 use super::regeneration::{Regeneration, Request};
 use crate::opening::Beside;
 use cloudwright_core::derived::Derived;
@@ -44,6 +45,7 @@ pub struct Session {
     /// Whether the open gesture changes values, which the history then tells.
     tells: bool,
     regeneration: Regeneration,
+    baking: Baking,
     revision: Version,
 }
 
@@ -86,6 +88,7 @@ impl Session {
             steps: 0,
             tells: false,
             regeneration: Regeneration::default(),
+            baking: Baking::default(),
             revision: Version::fresh(),
         };
         session.catch_up(AT_ONCE_WHEN_OPENED);
@@ -270,6 +273,10 @@ impl Session {
         let Self { regeneration, shown, derived, stale, .. } = self;
         let request = || Request { scene: Arc::clone(shown), before: Arc::clone(derived), change: stale.clone() };
         regeneration.keep_up(request, context);
+        if self.baking.keep_up(&self.derived, context) {
+            self.revision = Version::fresh();
+            context.request_repaint();
+        }
     }
 
     /// Undoes or redoes until `count` points are done.
@@ -336,7 +343,7 @@ impl Session {
         if !plan.is_little() && plan.sprites() > at_once {
             return self.regeneration.want();
         }
-        if let Some(derived) = plan.carry_out(&cloudwright_core::watch::Watch::default()) {
+        if let Some(derived) = plan.place(&cloudwright_core::watch::Watch::default()) {
             self.derived = Arc::new(derived);
         }
         self.regeneration.abandon();

@@ -2,9 +2,13 @@
 //! only take another place, light or name.
 
 use super::{Derived, Key, Populated, Source};
+use crate::baked::BAKING;
 use crate::change::Change;
 use crate::scene::{Cloud, CloudBox, CloudModel, GroupId, GroupLight, ModelId, Scene};
-use crate::sprites::{PLACING, PlacedCloud, STREWING, dress, place_watched, populate_watched, stand_alike};
+use crate::sprites::{
+    Bake, PLACING, PlacedCloud, PopulatedModel, STREWING, SoftLight, dress, place_watched, populate_watched,
+    stand_alike,
+};
 use crate::version::Version;
 use crate::watch::Watch;
 use crate::weather::Timeline;
@@ -91,8 +95,8 @@ impl<'a> Plan<'a> {
                     self.kept.insert(*key, kept.clone());
                 }
                 Some(old) if same_sprites(&old.model, model) => {
-                    let sprites = Arc::clone(&old.sprites);
-                    self.kept.insert(*key, Populated { model: Arc::clone(model), sprites });
+                    let kept = Populated::new(Arc::clone(model), Arc::clone(&old.sprites), Some(old));
+                    self.kept.insert(*key, kept);
                 }
                 _ => {
                     self.work += STREWING * sprites_tried(model);
@@ -110,7 +114,8 @@ impl<'a> Plan<'a> {
             let (placed, source) = (&self.before.clouds[old], &self.before.sources[old]);
             let as_it_was = source.cloud == *cloud
                 && placed.color_levels == populated.model.color_levels
-                && same_light(&source.populated.model, &populated.model);
+                && same_light(&source.populated.model, &populated.model)
+                && placed.soft_light == SoftLight::of(&populated.model);
             let step = if as_it_was { Step::Keep(old) } else { Step::Dress(old, cloud, populated.clone()) };
             return self.clouds.push(step);
         }
@@ -140,9 +145,28 @@ impl<'a> Plan<'a> {
         self.sprites() <= Self::LITTLE
     }
 
-    /// Computes it. None if `watch` was cancelled meanwhile.
+    /// Computes it, with its light. None if `watch` was cancelled meanwhile.
     pub fn carry_out(self, watch: &Watch) -> Option<Derived> {
-        watch.expect(self.work);
+        let baking = self.baking();
+        let placed = self.place_before(baking, watch)?;
+        placed.bake(watch).then_some(placed)
+    }
+
+    /// Computes it but for the light that is baked ([`Derived::bake`]). None if `watch` was cancelled meanwhile.
+    pub fn place(self, watch: &Watch) -> Option<Derived> {
+        self.place_before(0, watch)
+    }
+
+    /// The work of baking what is not.
+    fn baking(&self) -> u64 {
+        let kept = self.kept.values().filter_map(|populated| populated.bake.as_ref()).map(Bake::work);
+        let lit = self.fresh.iter().filter(|(_, model)| !SoftLight::of(model).is_none());
+        kept.chain(lit.map(|(_, model)| BAKING * sprites_tried(model))).sum()
+    }
+
+    /// Computes all but light, where more `work` follows.
+    fn place_before(self, work: u64, watch: &Watch) -> Option<Derived> {
+        watch.expect(self.work + work);
         // The pool may be busy with a picture, and a frame of the window must not wait for that.
         let in_parallel = !self.is_little();
         let Self { before, scene, retimes, ground_altitude_m, mut kept, fresh, clouds, .. } = self;
@@ -150,7 +174,7 @@ impl<'a> Plan<'a> {
         work.models_populated += fresh.len() as u64;
         let fresh = map_all(fresh, in_parallel, |((id, seed), model)| {
             let sprites = Arc::new(populate_watched(&model, seed, watch));
-            ((id, seed), Populated { model, sprites })
+            ((id, seed), Populated::new(model, sprites, before.populated.get(&(id, seed))))
         });
         kept.extend(fresh);
         let count = |wanted: fn(&Step<'_>) -> bool| clouds.iter().filter(|step| wanted(step)).count() as u64;
@@ -166,12 +190,17 @@ impl<'a> Plan<'a> {
                 let had = &before.sources[old];
                 let keeps = [had.cloud.position == cloud.position, same_light(&had.populated.model, &populated.model)];
                 let model = (&*populated.model, &*populated.sprites);
-                let dressed = dress(&before.clouds[old], cloud, model, keeps);
+                let dressed =
+                    PlacedCloud { bake: populated.bake.clone(), ..dress(&before.clouds[old], cloud, model, keeps) };
                 Some((dressed, Source { cloud: Arc::clone(cloud), ground_altitude_m, populated }))
             }
             Step::Place(cloud, key) => {
                 let populated = kept.get(&key)?.clone();
-                let placed = place_watched(cloud, &populated.model, &populated.sprites, ground_altitude_m, watch);
+                let model = (&*populated.model, &*populated.sprites);
+                let placed = PlacedCloud {
+                    bake: populated.bake.clone(),
+                    ..place_watched(cloud, model.0, model.1, ground_altitude_m, watch)
+                };
                 Some((placed, Source { cloud: Arc::clone(cloud), ground_altitude_m, populated }))
             }
         });
@@ -190,6 +219,20 @@ impl<'a> Plan<'a> {
         };
         let timeline = if retimes { Arc::new(Timeline::new(scene)) } else { Arc::clone(&before.timeline) };
         Some(Derived { index, shapes, timeline, clouds, sources, version, populated: kept, work })
+    }
+}
+
+impl Populated {
+    /// With the light that was baked of it `before`, if its sprites and their opacities are still the same.
+    fn new(model: Arc<CloudModel>, sprites: Arc<PopulatedModel>, before: Option<&Self>) -> Self {
+        let before = before.and_then(|before| before.bake.as_ref());
+        let levels = &model.color_levels;
+        let bake =
+            (!SoftLight::of(&model).is_none()).then(|| match before.filter(|bake| bake.is_of(&sprites, levels)) {
+                Some(bake) => bake.clone(),
+                None => Bake::new(Arc::clone(&sprites), *levels, before),
+            });
+        Self { model, sprites, bake }
     }
 }
 

@@ -1,6 +1,7 @@
 //! What drawing a frame takes, counted: figures that don't depend on the machine, nor on who else keeps it busy.
 
 use super::overdraw::overdraw_map;
+use crate::baked::WORDS;
 use crate::frame::Frame;
 use crate::sprites::PlacedCloud;
 use std::sync::Arc;
@@ -32,7 +33,8 @@ const SPRITE_IN_ORDER_BYTES: u64 = 12;
 /// … how one near the eye faces it, …
 const POSE_BYTES: u64 = 32;
 /// … and where a cloud is from the eye, how it is turned and how far it has formed.
-const MOMENT_BYTES: u64 = 48;
+const MOMENT_BYTES: u64 = 80;
+const BAKED_BYTES: u64 = 64;
 /// For each state of the clouds: a sprite, …
 const SPRITE_BYTES: u64 = 32;
 /// … what the air makes of it, if there is weather, …
@@ -61,14 +63,14 @@ impl Counts {
             bytes_uploaded: sprites * SPRITE_IN_ORDER_BYTES
                 + frame.list.poses.len() as u64 * POSE_BYTES
                 + clouds * MOMENT_BYTES,
-            bytes_of_clouds: bytes_of_change(&[], frame.clouds) + bytes_of_stirs(frame),
+            bytes_of_clouds: bytes_of_change(&[], frame.clouds) + bytes_of_stirs(frame) + bytes_of_baked(frame),
             keys_sorted: sprites,
         }
     }
 }
 
 /// Bytes that a GPU is sent when the clouds that it has, `before`, have become `after`, if its tables still hold them: of
-/// each cloud what is another than what stood in its place.
+/// each cloud what is another than what stood in its place. Of clouds that are lit by their groups alone.
 pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
     let mut bytes = 0;
     // Of the clouds so far, then and now: a sprite stands at its number among all, and names its group by the group's.
@@ -101,6 +103,14 @@ pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
 fn looks_alike(a: &PlacedCloud, b: &PlacedCloud) -> bool {
     let extent = |cloud: &PlacedCloud| (cloud.center, cloud.radius, cloud.bottom, cloud.top);
     extent(a) == extent(b) && a.color_levels == b.color_levels
+}
+
+/// Of the light that is baked, of each model once.
+fn bytes_of_baked(frame: &Frame<'_>) -> u64 {
+    let mut known: Vec<_> = frame.now.clouds.iter().filter_map(|cloud| Some(cloud.baked?.words())).collect();
+    known.sort_unstable_by_key(|words| words.as_ptr());
+    known.dedup_by_key(|words| words.as_ptr());
+    known.iter().map(|words| (words.len() / WORDS) as u64 * BAKED_BYTES).sum()
 }
 
 /// Of what the air makes of each sprite; nothing of a scene without weather.

@@ -5,6 +5,7 @@
 //! and refused by nobody.
 
 mod camera_paths;
+mod coarse_light;
 mod crowded_group;
 mod daily_tables;
 mod duplicate_ids;
@@ -136,6 +137,7 @@ pub fn shortened(mut problems: Vec<Problem>) -> Vec<Problem> {
 pub fn check_with_sprites(scene: &Scene, clouds: &[crate::sprites::PlacedCloud]) -> Vec<Problem> {
     let mut problems = check(scene);
     crowded_group::check(scene, clouds, &mut problems);
+    coarse_light::check(scene, clouds, &mut problems);
     problems
 }
 

@@ -18,6 +18,15 @@ const CULL_KINDS: &[Choice] = &[
     Choice { name: METRES, label: "metres" },
 ];
 
+const SELF_SHADOW: Number = Number::new(
+    "Self-shadow",
+    &(0.0..=1.0),
+    "",
+    "How much of the sun's light goes by the cloud that it comes through: 0 leaves all to the shading groups.",
+);
+const HALO: Number =
+    Number::new("Halo", &(0.0..=1.0), "", "How much the sun shines through the thin cloud before it: silver linings.");
+
 const CULL_FRACTION: Number = Number::new(
     "Cull radius",
     &(0.0..=10.0),
@@ -61,6 +70,8 @@ impl Described for CloudModel {
             |model, _| if let CullRadius::Metres(metres) = model.cull_radius { Some(metres) } else { None },
             |model, _, metres| model.cull_radius = CullRadius::Metres(metres),
         ),
+        numbers!(self_shadow: number(SELF_SHADOW)),
+        numbers!(halo: number(HALO)),
         setting!(seed: seed("Seed", "Another number strews the sprites anew.")),
     ]];
 

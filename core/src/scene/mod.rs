@@ -32,7 +32,7 @@ pub use camera_path::{CameraPath, PathKey};
 pub use category::Category;
 pub use cloud::Cloud;
 pub use cloud_box::{CloudBox, SpriteEdit};
-pub use color_levels::{ColorLevel, ColorLevels};
+pub use color_levels::{ColorLevel, ColorLevels, level_color};
 pub use daily_table::{DailyKey, DailyTable};
 pub use folder::Folder;
 pub use formation::{Formation, FormationChange, HowFarFormed};

@@ -22,6 +22,12 @@ pub struct CloudModel {
     pub cull_radius: CullRadius,
     /// Ambient light over the height.
     pub color_levels: ColorLevels,
+    /// How much of the sun's light goes by the cloud that it comes through, 0 to 1; the rest goes by the shading groups.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub self_shadow: f64,
+    /// How much the sun shines through thin cloud before it, 0 to 1.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub halo: f64,
     /// Shading groups that several boxes or single sprites share.
     #[serde(default, skip_serializing_if = "List::is_empty")]
     pub groups: List<ShadingGroup>,
@@ -43,6 +49,10 @@ pub enum CullRadius {
     Metres(f64),
 }
 
+fn is_none(share: &f64) -> bool {
+    *share == 0.0
+}
+
 impl Default for CullRadius {
     fn default() -> Self {
         Self::SpriteFraction(1.0 / 3.0)
@@ -59,6 +69,8 @@ impl CloudModel {
             seed: 1,
             cull_radius: CullRadius::default(),
             color_levels: default_levels(),
+            self_shadow: 0.0,
+            halo: 0.0,
             groups: List::new(),
             boxes: List::new(),
         }

@@ -3,14 +3,17 @@
 //! Ambient light comes through the five colour levels by height, directional light through the shading group by the
 //! angle to the sun. The twin in WGSL is render/src/pass/sprites/sprites.wgsl.
 
+mod through;
 mod veil;
 
+pub use crate::scene::level_color;
+pub use through::Through;
+pub(crate) use through::{FORWARD, FROM_BELOW, HALO, SCATTERED, SKY_KEPT_OUT, STRAIGHT};
 pub(crate) use veil::{BEFORE_THE_EYE, MOST_OPAQUE};
 pub use veil::{Veil, veil};
 
 use crate::color::{Rgb, Rgba};
 use crate::math::unit_or;
-use crate::scene::ColorLevels;
 use crate::sprites::Group;
 use crate::weather::{CloudNow, Light};
 use glam::Vec3;
@@ -59,40 +62,9 @@ pub fn directional_share(outward: Vec3, [c_min, c_med, c_max]: [f32; 3], sun_dir
     if d < 0.0 { c_med + (c_med - c_min) * d } else { c_med + (c_max - c_med) * d }
 }
 
-/// The colour levels at `height` (0 to 1): linear between levels, constant beyond the first and the last. Where two
-/// levels share a height, the later one holds from that height on.
-pub fn level_color(levels: &ColorLevels, height: f32) -> Rgba {
-    let Some(above) = levels.iter().position(|level| level.height as f32 > height) else {
-        return levels[levels.len() - 1].color;
-    };
-    if above == 0 {
-        return levels[0].color;
-    }
-    let (from, to) = (&levels[above - 1], &levels[above]);
-    let t = (height - from.height as f32) / (to.height as f32 - from.height as f32);
-    from.color.mix(to.color, t)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::scene::ColorLevel;
-
-    fn grey_levels(levels: [(f64, f32); 5]) -> ColorLevels {
-        levels.map(|(height, v)| ColorLevel { height, color: Rgba::new(v, v, v, 1.0) })
-    }
-
-    #[test]
-    fn levels_step_where_two_meet() {
-        let levels = grey_levels([(0.1, 0.0), (0.5, 1.0), (0.5, 3.0), (0.5, 2.0), (0.9, 4.0)]);
-        for (height, want) in [(0.0, 0.0), (0.1, 0.0), (0.3, 0.5), (0.5, 2.0), (0.7, 3.0), (0.9, 4.0), (1.0, 4.0)] {
-            let got = level_color(&levels, height).rgb.r;
-            assert!((got - want).abs() < 1e-5, "at {height}: {got}, want {want}");
-        }
-        let all_at_top = grey_levels([(1.0, 1.0), (1.0, 2.0), (1.0, 3.0), (1.0, 4.0), (1.0, 5.0)]);
-        assert_eq!(level_color(&all_at_top, 0.5).rgb.r, 1.0);
-        assert_eq!(level_color(&all_at_top, 1.0).rgb.r, 5.0);
-    }
 
     #[test]
     fn the_side_that_faces_the_sun_is_bright() {

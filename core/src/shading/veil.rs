@@ -6,7 +6,7 @@
 //! of which an eye inside has half before it in the mean, whichever way it looks. It comes as the sprite goes, so it is
 //! continuous through the cloud's border and as bounded as the fading is.
 
-use super::corner_light;
+use super::{Through, corner_light};
 use crate::camera::View;
 use crate::color::{Premultiplied, Rgb};
 use crate::draw_list::Hidden;
@@ -45,8 +45,11 @@ pub fn veil(
                 continue;
             }
             let group = &cloud.groups()[sprite.group as usize];
-            let point = rest.position + cloud.at_rest_from(eye - sprite.position);
-            let corner = corner_light(point, cloud, group, light);
+            let at_rest = cloud.at_rest_from(eye - sprite.position);
+            let mut corner = corner_light(rest.position + at_rest, cloud, group, light);
+            if let Some(through) = Through::all_around(cloud, posed.sprite as usize, light) {
+                through.light(&mut corner, cloud.in_model(at_rest) / rest.reach(), group, light);
+            }
             let color = corner.color();
             let condensed = cloud.condensed(posed.sprite as usize);
             let opacity = (color.a * condensed * atlas.mean_opacity(sprite.tile.into())).min(MOST_OPAQUE);

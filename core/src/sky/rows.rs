@@ -10,6 +10,7 @@ use super::stars::{STARS, Spot, Star};
 use super::{Background, GroundLook, haze_share};
 use crate::camera::View;
 use crate::color::Rgb;
+use crate::math::unit_or;
 use crate::tone::Planes;
 use glam::Vec3;
 
@@ -68,7 +69,7 @@ impl<'a> BackgroundRows<'a> {
         match &self.background.ground {
             _ if self.view.pixel() * STEP as f32 > COARSEST_STEP => self.exact(&direction, count, out),
             Some(ground) if highest < -1e-4 => self.ground(ground, left, y, &direction, out),
-            _ if lowest < HORIZON_SINE => self.exact(&direction, count, out),
+            _ if lowest < 3.0 * HORIZON_SINE => self.exact(&direction, count, out),
             _ => self.sky(&direction, count, out),
         }
         self.add_stars(left, y, count, out);
@@ -156,8 +157,10 @@ impl<'a> BackgroundRows<'a> {
         direction: &impl Fn(usize) -> Vec3,
         out: &mut Planes<MOST>,
     ) {
-        if direction(0).y.min(direction(MOST - 1).y) < STEEP_SINE {
-            // Straight below the horizon's colour turns with every pixel.
+        let middle = direction(MOST / 2);
+        let above_it = unit_or(Vec3 { y: 0.0, ..middle }, Vec3::X);
+        if direction(0).y.min(direction(MOST - 1).y) < STEEP_SINE || self.is_near_sun(above_it) {
+            // Straight below the horizon's colour turns with every pixel, and under a low sun it has its peak.
             for x in 0..MOST {
                 let color = self.dome.horizon(direction(x)).to_array();
                 out.iter_mut().zip(color).for_each(|(plane, channel)| plane[x] = channel);

@@ -56,6 +56,13 @@ pub(super) fn candidates_watched(model: &CloudModel, seed: u64, watch: &Watch) -
     all
 }
 
+/// The middle of the box around their centres, metres in the model's space.
+pub(super) fn middle(candidates: &[Candidate]) -> DVec3 {
+    let ends =
+        candidates.iter().map(|c| (c.position, c.position)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)));
+    ends.map_or(DVec3::ZERO, |(low, high)| (low + high) * 0.5)
+}
+
 fn candidate(cloud_box: &CloudBox, seed: u64, index: u32, weights: &[u32; 16], edit: Option<&SpriteEdit>) -> Candidate {
     let (seed, key) = cloud_box.random_key(seed);
     let [x, y, z, size] = draw(seed, key, index, 0);

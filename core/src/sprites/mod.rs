@@ -5,6 +5,7 @@
 //! so every machine gets the same bytes.
 
 mod atlas;
+mod bake;
 mod candidates;
 mod cull;
 mod place;
@@ -14,9 +15,11 @@ mod stir;
 
 pub use atlas::{Atlas, AtlasError, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
 pub(crate) use atlas::{FootprintTable, LEVEL_START, TABLE};
+pub(crate) use bake::Bake;
+pub use bake::balls_of;
 pub use candidates::{Candidate, candidates, cull_radii};
 pub use cull::{cull, cull_slow};
-pub use place::{Group, GroupKey, PlacedCloud, place};
+pub use place::{Group, GroupKey, PlacedCloud, SoftLight, place};
 pub(crate) use place::{dress, heading_turn, place_watched, stand_alike};
 pub(crate) use shapes::Known;
 pub use shapes::Shapes;

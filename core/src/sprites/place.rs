@@ -3,8 +3,10 @@
 //! Positions are kept in f32 relative to the cloud's own f64 position: a cloud 1,000 km from the origin is as sharp as
 //! one at the origin.
 
+use super::candidates::middle;
 use super::stir::{Stir, Stirs, Within};
-use super::{Candidate, PopulatedModel, Sprite, Sprites};
+use super::{Bake, Candidate, PopulatedModel, Sprite, Sprites};
+use crate::baked::Baked;
 use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
@@ -43,6 +45,27 @@ pub struct Group {
     pub sprite_count: usize,
 }
 
+/// How a model is lit besides by its groups, 0 to 1 each.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SoftLight {
+    /// The share of the sun's light that goes by how much cloud it comes through.
+    pub self_shadow: f32,
+    /// How much the sun shines through thin cloud before it.
+    pub halo: f32,
+}
+
+impl SoftLight {
+    /// As `model` has it.
+    pub fn of(model: &CloudModel) -> Self {
+        Self { self_shadow: model.self_shadow as f32, halo: model.halo as f32 }
+    }
+
+    /// Whether there is none of it.
+    pub fn is_none(self) -> bool {
+        self.self_shadow <= 0.0 && self.halo <= 0.0
+    }
+}
+
 /// A cloud ready to be drawn. Copies share their sprites and groups.
 #[derive(Debug, Clone, PartialEq)]
 pub struct PlacedCloud {
@@ -78,6 +101,12 @@ pub struct PlacedCloud {
     pub cloud: Arc<Cloud>,
     /// The seed under which its sprites were strewn.
     pub seed: u64,
+    /// How it is lit besides by its groups.
+    pub soft_light: SoftLight,
+    /// Sine and cosine of the turn about the vertical from its model's space.
+    pub heading: [f32; 2],
+    /// What is baked of its model, if that is lit so.
+    pub(crate) bake: Option<Bake>,
     /// What the air makes of its sprites, made when first asked for.
     pub(crate) stirs: Stirs,
 }
@@ -86,6 +115,11 @@ impl PlacedCloud {
     /// How far a point is from the centre, in radii; 0 in a cloud without extent.
     pub fn radii_of(&self, point: Vec3) -> f32 {
         if self.radius > 0.0 { point.distance(self.center) / self.radius } else { 0.0 }
+    }
+
+    /// The light that is left of the sun's at its sprites, as far as it is known; none if the cloud is not lit by it.
+    pub fn baked(&self) -> Option<&Baked> {
+        self.bake.as_ref()?.known()
     }
 
     /// What the air makes of each sprite, in their order.
@@ -189,6 +223,9 @@ pub(crate) fn place_watched(
         color_levels: model.color_levels,
         cloud: Arc::clone(cloud),
         seed: cloud.seed.unwrap_or(model.seed),
+        soft_light: SoftLight::of(model),
+        heading: space.sin_cos(),
+        bake: None,
         stirs: Stirs::default(),
     }
 }
@@ -214,6 +251,7 @@ pub(crate) fn dress(
         groups,
         name: cloud.name.clone(),
         color_levels: model.color_levels,
+        soft_light: SoftLight::of(model),
         cloud: Arc::clone(cloud),
         ..placed.clone()
     }
@@ -256,16 +294,14 @@ impl Space {
         Self { turn, scale, middle, origin: cloud.position + turn * (middle * scale) }
     }
 
+    fn sin_cos(&self) -> [f32; 2] {
+        let east = self.turn * DVec3::X;
+        [-east.z as f32, east.x as f32]
+    }
+
     fn in_world(&self, point: DVec3) -> DVec3 {
         self.turn * ((point - self.middle) * self.scale)
     }
-}
-
-/// Of the box around the centres.
-fn middle(candidates: &[Candidate]) -> DVec3 {
-    let ends =
-        candidates.iter().map(|c| (c.position, c.position)).reduce(|(low, high), (p, _)| (low.min(p), high.max(p)));
-    ends.map_or(DVec3::ZERO, |(low, high)| (low + high) * 0.5)
 }
 
 /// Clockwise from north as seen from above is a negative turn about +y.

@@ -103,7 +103,7 @@ impl<'a> Trial<'a> {
             }
         }
         let change = Change::of_models(of_model.into_keys());
-        if let Some(derived) = self.derived.plan(&self.scene, &change).carry_out(&self.watch.part()) {
+        if let Some(derived) = self.derived.plan(&self.scene, &change).place(&self.watch.part()) {
             self.derived = derived;
         }
     }

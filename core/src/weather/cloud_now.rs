@@ -7,6 +7,7 @@
 //! render/src/pass/sprites/sprites.wgsl.
 
 use super::{AirNow, Formed};
+use crate::baked::Baked;
 use crate::scene::ColorLevels;
 use crate::sprites::{Group, PlacedCloud, Sprite, Stir};
 use glam::{DVec3, Vec3};
@@ -36,6 +37,8 @@ pub struct CloudNow<'a> {
     pub look: Option<Arc<Look>>,
     /// The air that moves its sprites one by one, if it does.
     pub air: Option<InAir<'a>>,
+    /// The light that is left at its sprites, as far as it is baked; none if the cloud is not lit by it.
+    pub baked: Option<&'a Baked>,
 }
 
 /// What a cloud looks like.
@@ -105,6 +108,7 @@ impl<'a> CloudNow<'a> {
             opacity: 1.0,
             look: None,
             air: None,
+            baked: placed.baked(),
         }
     }
 
@@ -163,6 +167,13 @@ impl<'a> CloudNow<'a> {
     /// A direction of the world as it lies to the cloud at rest.
     pub fn direction_at_rest(&self, direction: Vec3) -> Vec3 {
         self.turn.turned_back(direction)
+    }
+
+    /// A direction of the cloud at rest as it lies in its model's space.
+    #[inline]
+    pub fn in_model(&self, at_rest: Vec3) -> Vec3 {
+        let [sin, cos] = self.placed.heading;
+        Turn::by(sin, cos).turned_back(at_rest)
     }
 
     /// Where the middle of the sprites' centres is, but for what the air does, metres from the cloud's origin.

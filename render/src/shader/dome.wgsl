@@ -1,16 +1,14 @@
 // The sky of Hosek and Wilkie (2012), the sun's disc, and the haze that takes the horizon's colour.
 // The twin of core/src/sky/dome.rs, by its formulas and not its tables.
 
-// Haze takes no more of the sun's glow than there is at this angle from it.
-const HAZE_GLOW_COSINE: f32 = 0.906308;
-
 // How much of the model is kept around the sun.
-const GLOW_KEPT: f32 = 0.4;
+const GLOW_KEPT: f32 = 0.6;
 const GLOW_FROM_COSINE: f32 = 0.573576;
 
 fn glow_kept(cos_gamma: f32) -> f32 {
     let near = max((cos_gamma - GLOW_FROM_COSINE) / (1.0 - GLOW_FROM_COSINE), 0.0);
-    return 1.0 - (1.0 - GLOW_KEPT) * near * near;
+    let rest = 1.0 - near * near;
+    return 1.0 - (1.0 - GLOW_KEPT) * (1.0 - rest * rest);
 }
 
 // 1 + A exp(B / (cos theta + 0.01)).
@@ -30,14 +28,19 @@ fn around_sun(cos_gamma: f32) -> vec3f {
         + frame.dome_parameters[6].rgb * (1.0 + cos2) / (base * sqrt(base));
 }
 
-// Radiance of the sky alone in a unit direction; below the horizon as at the horizon.
-fn sky_radiance(direction: vec3f) -> vec3f {
-    return distribution(max(direction.y, frame.horizon_sine), cosine_to_glow(direction));
+// The sine of an elevation, kept from the edge of the formulas at the horizon by a soft maximum.
+fn lifted_sine(sine: f32) -> f32 {
+    return min(0.5 * (sine + sqrt(sine * sine + 4.0 * frame.horizon_sine * frame.horizon_sine)), 1.0);
 }
 
-// Cosine of the angle to the sky's brightest point, for a unit direction lifted to the horizon.
+// Radiance of the sky alone in a unit direction; below the horizon about as at the horizon.
+fn sky_radiance(direction: vec3f) -> vec3f {
+    return distribution(lifted_sine(direction.y), cosine_to_glow(direction));
+}
+
+// Cosine of the angle to the sky's brightest point, for a unit direction lifted from the horizon.
 fn cosine_to_glow(direction: vec3f) -> f32 {
-    let up = max(direction.y, frame.horizon_sine);
+    let up = lifted_sine(direction.y);
     let level = unit_or(vec3f(direction.x, 0.0, direction.z), vec3f(1.0, 0.0, 0.0));
     let lifted = level * sqrt(max(1.0 - up * up, 0.0)) + vec3f(0.0, up, 0.0);
     return clamp(dot(lifted, frame.glow_direction), -1.0, 1.0);
@@ -64,10 +67,10 @@ fn dome_radiance(direction: vec3f) -> vec3f {
     return sky_radiance(direction) + frame.sun_disc * disc;
 }
 
-// Radiance at the horizon below or above `direction` (any length), the sun's glow left out: what haze turns things to.
+// Radiance of the sky at the horizon below or above `direction` (any length): what haze turns things to.
 fn horizon_radiance(direction: vec3f) -> vec3f {
     let level = vec3f(direction.x, 0.0, direction.z);
-    return distribution(frame.horizon_sine, min(cosine_to_glow(level), HAZE_GLOW_COSINE));
+    return distribution(frame.horizon_sine, cosine_to_glow(level));
 }
 
 // 1 − e^(−distance / length).

@@ -56,7 +56,7 @@ impl Placed {
             let start = Instant::now();
             let watch = Watch::cancelled_by(Arc::clone(&self.patience.cancelled));
             // What is as it was is found to be so, and kept.
-            let plan = |derived: &Derived| derived.plan(recorder.scene(), &Change::everything()).carry_out(&watch);
+            let plan = |derived: &Derived| derived.plan(recorder.scene(), &Change::everything()).place(&watch);
             let placed = plan(&self.derived.borrow());
             self.took.set(self.took.get() + start.elapsed());
             hear(TimeOf::Script);

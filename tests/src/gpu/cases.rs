@@ -125,6 +125,7 @@ pub fn cases() -> Vec<Case> {
         weather("in_wind_and_dry_air", &noon, [2400.0, 0.75, 0.0]),
         weather("in_churning_air", &noon, [77.7, 1.0, 1.0]),
         keyed_look(&noon),
+        shading_itself(&noon),
         Case {
             name: "in_two_runs",
             list: |list| {
@@ -165,6 +166,20 @@ fn keyed_look(case: &Case) -> Case {
         let id = TrackId::new(&mut case.scene.next_id);
         case.scene.tracks.push(Track::new(id, property, vec![TrackKey::new(0.0, value)]));
     }
+    case
+}
+
+/// Models that shade themselves to a different degree, one not at all, turned, seen from within a cloud towards a low sun.
+fn shading_itself(noon: &Case) -> Case {
+    let mut case = noon.seen("shading_itself", [20.0, 1010.0, 60.0], |camera| camera.heading_deg = -60.0);
+    case.time_h = 19.5;
+    for (model, [self_shadow, halo]) in case.scene.models.iter_mut().zip([[0.8, 1.0], [0.0, 0.6]]) {
+        (model.self_shadow, model.halo) = (self_shadow, halo);
+    }
+    for (cloud, heading_deg) in case.scene.clouds.iter_mut().zip([70.0, 0.0, 200.0]) {
+        cloud.heading_deg = heading_deg;
+    }
+    case.now = |now| now.clouds.iter_mut().take(1).for_each(|cloud| cloud.turn = Turn::by(0.6, 0.8));
     case
 }
 

@@ -123,7 +123,7 @@ const CORE: [&[&str]; 19] = [
     &["weather"],
     &["panorama"],
     &["camera", "property", "sprites"],
-    &["image", "model_mesh", "scene", "tone"],
+    &["baked", "image", "model_mesh", "scene", "tone"],
     &["change", "color", "math", "random", "spelling", "version", "watch"],
 ];
 

@@ -4,6 +4,7 @@
 
 mod architecture;
 mod assets;
+mod baked;
 mod density;
 mod derived;
 mod draw_list;

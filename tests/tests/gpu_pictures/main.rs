@@ -197,7 +197,7 @@ fn uploads(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
         let list = &frame.list;
-        let each_frame = (12 * list.sprites.len() + 48 * frame.clouds.len() + 32 * list.poses.len()) as u64;
+        let each_frame = (12 * list.sprites.len() + 80 * frame.clouds.len() + 32 * list.poses.len()) as u64;
         renderer.draw(gpu, frame)?;
         ensure(renderer.bytes_uploaded() > each_frame, "a scene not seen before was not uploaded")?;
         renderer.draw(gpu, frame)?;
@@ -256,7 +256,7 @@ fn hidden(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
         renderer.draw(gpu, frame)?;
         let empty = Frame { list: DrawList::default(), veil: Veil::CLEAR, ..frame.clone() };
         let layer = renderer.clouds(gpu, &empty)?;
-        ensure(renderer.bytes_uploaded() == 48 * frame.clouds.len() as u64, "hiding uploaded something")?;
+        ensure(renderer.bytes_uploaded() == 80 * frame.clouds.len() as u64, "hiding uploaded something")?;
         let drawn = layer.pixels.iter().enumerate().find(|(_, pixel)| pixel.a != 0.0);
         let count = layer.pixels.iter().filter(|pixel| pixel.a != 0.0).count();
         ensure(drawn.is_none(), &format!("a hidden cloud was drawn: {drawn:?} {count} of {}", layer.pixels.len()))

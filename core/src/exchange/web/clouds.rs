@@ -4,12 +4,14 @@
 use super::super::Leaving;
 use super::block::Block;
 use super::moving;
+use crate::baked::WORDS;
 use crate::derived::Derived;
 use crate::scene::ModelId;
-use crate::sprites::{Group, PlacedCloud, Sprite};
+use crate::sprites::{Group, PlacedCloud, SoftLight, Sprite};
 use crate::weather::CloudNow;
 use rustc_hash::FxHashMap;
 use serde::Serialize;
+use std::sync::Arc;
 
 /// Where a cloud's things stand.
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -31,8 +33,12 @@ pub(super) struct Clouds {
     pub(super) listed: Vec<Listed>,
     sprites: Vec<[u32; 8]>,
     groups: Vec<[f32; 8]>,
-    clouds: Vec<[f32; 32]>,
+    clouds: Vec<[f32; 40]>,
     stirs: Vec<[u32; 4]>,
+    /// What is baked of each sprite, of a model once.
+    baked: Vec<[u32; 16]>,
+    /// Of which words that is, and where they begin.
+    known_baked: Vec<(Arc<[u32]>, usize)>,
     keys: Vec<[f32; moving::CLOUD_NUMBERS]>,
     air: Vec<[f32; moving::AIR_NUMBERS]>,
     levels: Vec<[f32; moving::LEVEL_NUMBERS]>,
@@ -63,7 +69,8 @@ impl Clouds {
                 level_keys,
             });
             all.keys.extend(keys);
-            all.clouds.push(cloud_numbers(cloud));
+            let first_baked = all.add_baked(cloud);
+            all.clouds.push(cloud_numbers(cloud, first_baked as f32 - first_sprite as f32));
         }
         all
     }
@@ -76,6 +83,19 @@ impl Clouds {
             self.stirs.extend(placed.stirs().iter().map(crate::sprites::Stir::packed));
         }
         first_sprite
+    }
+
+    /// Adds what is baked of a cloud's sprites, if anything and not yet there; where it begins.
+    fn add_baked(&mut self, cloud: &CloudNow<'_>) -> usize {
+        let Some(baked) = cloud.baked else { return 0 };
+        if let Some((_, first)) = self.known_baked.iter().find(|(known, _)| Arc::ptr_eq(known, baked.words())) {
+            return *first;
+        }
+        let first = self.baked.len();
+        let of_sprite = |words: &[u32]| std::array::from_fn(|word| words.get(word).copied().unwrap_or_default());
+        self.baked.extend(baked.words().chunks_exact(WORDS).map(of_sprite));
+        self.known_baked.push((Arc::clone(baked.words()), first));
+        first
     }
 
     /// Adds the keys of the levels of a cloud's model: the first, and how many.
@@ -93,6 +113,7 @@ impl Clouds {
         block.add("groups", self.groups.as_flattened());
         block.add("clouds", self.clouds.as_flattened());
         block.add("stirs", self.stirs.as_flattened());
+        block.add("baked", self.baked.as_flattened());
         block.add("cloud_keys", self.keys.as_flattened());
         block.add("air_keys", self.air.as_flattened());
         block.add("level_keys", self.levels.as_flattened());
@@ -112,18 +133,24 @@ fn group_numbers(group: &Group) -> [f32; 8] {
     [x, y, z, c_min, c_med, c_max, 0.0, 0.0]
 }
 
-/// Centre, 1 / radius; bottom, top, the highest level's height, radius; the other heights; the levels' colours.
-fn cloud_numbers(cloud: &CloudNow<'_>) -> [f32; 32] {
+/// Centre, 1 / radius; bottom, top, the highest level's height, radius; the other heights; the levels' colours; where what is
+/// baked begins, from its sprites, self-shadow, halo, nothing; sine and cosine of its heading, nothing.
+fn cloud_numbers(cloud: &CloudNow<'_>, baked_from_sprites: f32) -> [f32; 40] {
     let PlacedCloud { center, radius, bottom, top, .. } = *cloud.placed;
     let levels = cloud.color_levels();
     let heights = levels.map(|level| level.height as f32);
-    let mut numbers = [0.0; 32];
+    let mut numbers = [0.0; 40];
     numbers[..3].copy_from_slice(&center.to_array());
     numbers[3] = if radius > 0.0 { 1.0 / radius } else { 0.0 };
     numbers[4..8].copy_from_slice(&[bottom, top, heights[4], radius]);
     numbers[8..12].copy_from_slice(&heights[..4]);
-    for (slot, level) in numbers[12..].chunks_mut(4).zip(levels) {
+    for (slot, level) in numbers[12..32].chunks_mut(4).zip(levels) {
         slot.copy_from_slice(&level.color.to_array());
+    }
+    if cloud.baked.is_some() {
+        let SoftLight { self_shadow, halo } = cloud.placed.soft_light;
+        numbers[32..35].copy_from_slice(&[baked_from_sprites, self_shadow, halo]);
+        numbers[36..38].copy_from_slice(&cloud.placed.heading);
     }
     numbers
 }

@@ -5,6 +5,7 @@ use super::super::Leaving;
 use super::block::{Block, Section};
 use super::clouds::Listed;
 use super::light;
+use crate::baked::DIRECTIONS;
 use crate::camera::{NEAR_M, View};
 use crate::scene::Camera;
 use crate::sprites::{MIP_LEVELS, TILE_SIZE};
@@ -128,7 +129,6 @@ fn constants() -> BTreeMap<&'static str, f64> {
         ("SWAY", weather::SWAY),
         ("CONDENSING", weather::CONDENSING),
         ("HORIZON_SINE", sky::HORIZON_SINE),
-        ("HAZE_GLOW_COSINE", sky::HAZE_GLOW_COSINE),
         ("GLOW_KEPT", sky::GLOW_KEPT),
         ("GLOW_FROM_COSINE", sky::GLOW_FROM_COSINE),
         ("SUN_DISC_COSINE_FROM", disc_from),
@@ -144,6 +144,13 @@ fn constants() -> BTreeMap<&'static str, f64> {
         ("FINER", raster::FINER),
         ("MOST_OPAQUE", shading::MOST_OPAQUE),
         ("BEFORE_THE_EYE", shading::BEFORE_THE_EYE),
+        ("SCATTERED", shading::SCATTERED),
+        ("STRAIGHT", shading::STRAIGHT),
+        ("SKY_KEPT_OUT", shading::SKY_KEPT_OUT),
+        ("FROM_BELOW", shading::FROM_BELOW),
+        ("FORWARD", shading::FORWARD),
+        ("HALO", shading::HALO),
+        ("BAKED_PARTS", DIRECTIONS.parts() as f32),
     ];
     singles.into_iter().map(|(name, value)| (name, f64::from(value))).collect()
 }

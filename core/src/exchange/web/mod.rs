@@ -37,6 +37,7 @@ const PARTS: [(&str, &str); 8] = [
             include_str!("page/scene.js"),
             include_str!("page/facing.js"),
             include_str!("page/sprites.js"),
+            include_str!("page/through.js"),
             include_str!("page/veil.js"),
             include_str!("page/gpu.js"),
             include_str!("page/eye.js"),

@@ -5,7 +5,8 @@ const DATA_ROW_BITS = 11u;
 const SPRITE_TEXELS = 2u;
 const GROUP_TEXELS = 2u;
 const CLOUD_TEXELS = 8u;
-const MOMENT_TEXELS = 3u;
+const MOMENT_TEXELS = 5u;
+const BAKED_TEXELS = 4u;
 const STIR_TEXELS = 1u;
 const POSE_TEXELS = 2u;
 // In place of a pose: the sprite simply faces the eye.
@@ -20,6 +21,8 @@ const FACES_EYE = 0xffffffffu;
 @group(1) @binding(4) var pose_data: texture_2d<u32>;
 // What the air makes of each sprite; of a scene without weather there is none.
 @group(1) @binding(7) var stir_data: texture_2d<u32>;
+// The light that is left at each sprite from each of a set of directions; of a scene that is lit by groups alone there is none.
+@group(1) @binding(8) var baked_data: texture_2d<u32>;
 
 struct Sprite {
     position: vec3f,
@@ -48,6 +51,7 @@ struct Cloud {
     color_2: vec4f,
     color_3: vec4f,
     color_4: vec4f,
+    baked_from_sprites: u32,
 }
 
 struct Moment {
@@ -61,6 +65,13 @@ struct Moment {
     turn: vec2f,
     // How far edges can be carried, metres; negative in air that carries nothing.
     reach_m: f32,
+    // Of the sun's light; the directions around it, a byte each, and their shares.
+    self_shadow: f32,
+    around: vec3u,
+    shares: vec3f,
+    // Sine and cosine of the turn from the model's space.
+    heading: vec2f,
+    halo: f32,
 }
 
 // core/src/sprites/stir.rs.
@@ -115,6 +126,7 @@ fn load_cloud(index: u32) -> Cloud {
         load(cloud_data, at + 5u),
         load(cloud_data, at + 6u),
         load(cloud_data, at + 7u),
+        load_bits(cloud_data, at + 1u).w,
     );
 }
 
@@ -122,7 +134,23 @@ fn load_moment(cloud: u32) -> Moment {
     let first = load(moment_data, cloud * MOMENT_TEXELS);
     let second = load(moment_data, cloud * MOMENT_TEXELS + 1u);
     let third = load(moment_data, cloud * MOMENT_TEXELS + 2u);
-    return Moment(first.xyz, first.w, second.x, second.y, second.z, second.w, third.xy, third.z);
+    let around = load_bits(moment_data, cloud * MOMENT_TEXELS + 3u);
+    let fifth = load(moment_data, cloud * MOMENT_TEXELS + 4u);
+    return Moment(
+        first.xyz,
+        first.w,
+        second.x,
+        second.y,
+        second.z,
+        second.w,
+        third.xy,
+        third.z,
+        third.w,
+        vec3u(around.x, around.x >> 8u, around.x >> 16u) & vec3u(255u),
+        bitcast<vec3f>(around.yzw),
+        fifth.xy,
+        fifth.z,
+    );
 }
 
 fn load_stir(sprite: u32) -> Stir {
@@ -130,6 +158,14 @@ fn load_stir(sprite: u32) -> Stir {
     let shares = unpack2x16snorm(bits.z);
     let phases = vec3u(bits.w, bits.w >> 10u, bits.w >> 20u) & vec3u(1023u);
     return Stir(bitcast<f32>(bits.x), bitcast<f32>(bits.y), shares.x, shares.y, vec3f(phases) / 1024.0);
+}
+
+// The light that is left at a sprite from the direction of that number, e^(−τ/10): at its middle, and how it changes along the
+// model's axes (core/src/baked/mod.rs).
+fn load_left(sprite: u32, direction: u32) -> vec4f {
+    let words = load_bits(baked_data, sprite * BAKED_TEXELS + (direction >> 2u));
+    let word = words[direction & 3u];
+    return vec4f(f32(word & 255u) / 255.0, unpack4x8snorm(word).yzw);
 }
 
 fn load_pose(index: u32) -> Pose {

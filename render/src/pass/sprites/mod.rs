@@ -48,6 +48,7 @@ impl SpritesPass {
                     count: None,
                 },
                 data_entry(7),
+                data_entry(8),
             ],
         });
         // Clamped to the edge, which is clear at every level.
@@ -91,8 +92,9 @@ impl SpritesPass {
             .map(|(view, binding)| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 6, resource: wgpu::BindingResource::Sampler(&self.sampler) });
-        let stirs = wgpu::BindingResource::TextureView(&clouds.stirs.view);
-        entries.push(wgpu::BindGroupEntry { binding: 7, resource: stirs });
+        for (data, binding) in [(&clouds.stirs, 7), (&clouds.baked, 8)] {
+            entries.push(wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(&data.view) });
+        }
         gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("sprites"),
             layout: &self.layout,

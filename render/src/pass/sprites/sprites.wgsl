@@ -52,10 +52,12 @@ fn place_corner(
     let shown = vec4f(vec3f(1.0 - hazed), pose.fade * condensed(instance.y, moment));
     let right_at_rest = at_rest(to_right, moment) / moment.scale;
     let top_at_rest = at_rest(to_top, moment) / moment.scale;
-    let top_left = shown * corner_light(rest.position - right_at_rest + top_at_rest, cloud, moment, group);
-    let top_right = shown * corner_light(rest.position + right_at_rest + top_at_rest, cloud, moment, group);
-    let bottom_left = shown * corner_light(rest.position - right_at_rest - top_at_rest, cloud, moment, group);
-    let bottom_right = shown * corner_light(rest.position + right_at_rest - top_at_rest, cloud, moment, group);
+    let through = through_cloud(instance.y, cloud, moment, pose.towards);
+    let reach = 0.5 * length(vec2f(rest.width, rest.height));
+    let top_left = shown * lit(rest, top_at_rest - right_at_rest, reach, cloud, moment, group, through);
+    let top_right = shown * lit(rest, right_at_rest + top_at_rest, reach, cloud, moment, group, through);
+    let bottom_left = shown * lit(rest, -right_at_rest - top_at_rest, reach, cloud, moment, group, through);
+    let bottom_right = shown * lit(rest, right_at_rest - top_at_rest, reach, cloud, moment, group, through);
 
     let uv = vec2f(f32(corner_index & 1u), f32(corner_index >> 1u));
     var out: Corner;
@@ -197,15 +199,80 @@ fn sine(turns: f32) -> f32 {
     return folded * (6.2831855 + squared * (-41.3417 + squared * (81.60525 + high)));
 }
 
-// The light at a point that counts from the cloud's origin and is at rest: linear rgb, straight; alpha, as far as the cloud has formed.
-fn corner_light(point: vec3f, cloud: Cloud, moment: Moment, group: Group) -> vec4f {
+// The sun's light that comes through the cloud to a sprite (core/src/shading/through.rs).
+struct Through {
+    sun: vec4f,
+    up: vec4f,
+    down: vec4f,
+    halo: f32,
+}
+
+const UP = 6u;
+const DOWN = 13u;
+const SCATTERED = 0.85;
+const STRAIGHT = 0.25;
+const SKY_KEPT_OUT = 0.28;
+const FROM_BELOW = 0.2;
+const FORWARD = 0.75;
+const HALO = 0.35;
+
+fn through_cloud(sprite: u32, cloud: Cloud, moment: Moment, towards_eye: vec3f) -> Through {
+    if moment.self_shadow <= 0.0 && moment.halo <= 0.0 {
+        return Through(vec4f(0.0), vec4f(0.0), vec4f(0.0), 0.0);
+    }
+    let at = cloud.baked_from_sprites + sprite;
+    let sun = moment.shares.x * load_left(at, moment.around.x)
+        + moment.shares.y * load_left(at, moment.around.y)
+        + moment.shares.z * load_left(at, moment.around.z);
+    let cosine = -dot(towards_eye, frame.light_direction);
+    return Through(sun, load_left(at, UP), load_left(at, DOWN), moment.halo * HALO * thrown(cosine));
+}
+
+// How much of the light is thrown on so that it turns by an angle of that cosine.
+fn thrown(cosine: f32) -> f32 {
+    let spread = max(1.0 + FORWARD * FORWARD - 2.0 * FORWARD * clamp(cosine, -1.0, 1.0), 1e-6);
+    return (1.0 - FORWARD * FORWARD) * 0.07957747 / (spread * sqrt(spread));
+}
+
+fn left_at(left: vec4f, offset: vec3f) -> f32 {
+    return clamp(left.x + dot(left.yzw, offset), 0.0, 1.0);
+}
+
+// The light at `offset` from a sprite's middle at rest: linear rgb, straight; alpha, as far as the cloud has formed.
+fn lit(
+    rest: Sprite,
+    offset: vec3f,
+    reach: f32,
+    cloud: Cloud,
+    moment: Moment,
+    group: Group,
+    through: Through,
+) -> vec4f {
+    let point = rest.position + offset;
     let level = level_color(cloud, height_within(cloud, point.y));
     let sun_direction = at_rest(frame.light_direction, moment);
-    let directional = frame.directional_max * directional_share(point - group.center, group.c, sun_direction);
-    let rgb = level.rgb * frame.ambient_max.rgb + directional;
+    var ambient = level.rgb * frame.ambient_max.rgb;
+    var share = directional_share(point - group.center, group.c, sun_direction);
+    if moment.self_shadow > 0.0 || moment.halo > 0.0 {
+        let heading = moment.heading;
+        let in_model = vec3f(
+            heading.y * offset.x - heading.x * offset.z,
+            offset.y,
+            heading.x * offset.x + heading.y * offset.z,
+        ) / reach;
+        let sun = left_at(through.sun, in_model);
+        let sun_4 = (sun * sun) * (sun * sun);
+        let let_through = group.c.z * (SCATTERED * sun + STRAIGHT * sun_4 * sun_4);
+        let up = sqrt(left_at(through.up, in_model));
+        let down = sqrt(left_at(through.down, in_model));
+        let open = (1.0 - FROM_BELOW) * up + FROM_BELOW * down;
+        share = share * (1.0 - moment.self_shadow) + moment.self_shadow * let_through + through.halo * sun_4;
+        ambient *= 1.0 - moment.self_shadow * SKY_KEPT_OUT * (1.0 - open);
+    }
     let radii = distance(point, cloud.center) * cloud.inverse_radius;
     let formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
-    return vec4f(rgb, clamp(level.a * frame.ambient_max.a, 0.0, 1.0) * formed * moment.opacity);
+    let alpha = clamp(level.a * frame.ambient_max.a, 0.0, 1.0) * formed * moment.opacity;
+    return vec4f(ambient + frame.directional_max * share, alpha);
 }
 
 // g(d), d the cosine between `outward` and the sun: Cmin at −1, Cmed at 0, Cmax at 1.

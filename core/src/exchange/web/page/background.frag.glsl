@@ -53,7 +53,7 @@ vec3 ground_radiance(vec3 point, float pixel_m) {
 vec3 dome_radiance(vec3 direction) {
     vec3 apart = direction - sun_direction;
     float cos_sun = 1.0 - 0.5 * dot(apart, apart);
-    vec3 sky = distribution(max(direction.y, HORIZON_SINE), cosine_to_glow(direction));
+    vec3 sky = distribution(lifted_sine(direction.y), cosine_to_glow(direction));
     return sky + sun_disc * smoothstep(SUN_DISC_COSINE_FROM, SUN_DISC_COSINE_TO, cos_sun);
 }
 

@@ -53,7 +53,8 @@ float arc_cosine(float x) {
 // The sky, where the angle to the zenith and that to its brightest point have these cosines.
 vec3 distribution(float cos_theta, float cos_gamma) {
     float near = max((cos_gamma - GLOW_FROM_COSINE) / (1.0 - GLOW_FROM_COSINE), 0.0);
-    float glow_kept = 1.0 - (1.0 - GLOW_KEPT) * near * near;
+    float rest = 1.0 - near * near;
+    float glow_kept = 1.0 - (1.0 - GLOW_KEPT) * (1.0 - rest * rest);
     vec3 around_zenith = 1.0 + dome_parameters[0] * exp(dome_parameters[1] / (cos_theta + 0.01));
     float cos2 = cos_gamma * cos_gamma;
     vec3 i = dome_parameters[8];
@@ -65,18 +66,23 @@ vec3 distribution(float cos_theta, float cos_gamma) {
     return dome_scale * glow_kept * (around_zenith * (around_sun + dome_parameters[7] * sqrt(cos_theta)));
 }
 
-// For a unit direction, lifted to the horizon.
+// The sine of an elevation, kept from the edge of the formulas at the horizon.
+float lifted_sine(float sine) {
+    return min(0.5 * (sine + sqrt(sine * sine + 4.0 * HORIZON_SINE * HORIZON_SINE)), 1.0);
+}
+
+// For a unit direction, lifted from the horizon.
 float cosine_to_glow(vec3 direction) {
-    float up = max(direction.y, HORIZON_SINE);
+    float up = lifted_sine(direction.y);
     vec3 level = unit_or(vec3(direction.x, 0.0, direction.z), vec3(1.0, 0.0, 0.0));
     vec3 lifted = level * sqrt(max(1.0 - up * up, 0.0)) + vec3(0.0, up, 0.0);
     return clamp(dot(lifted, glow_direction), -1.0, 1.0);
 }
 
-// What haze turns things to: the horizon's light, without the sun's glow.
+// What haze turns things to: the horizon's light.
 vec3 horizon_radiance(vec3 direction) {
     vec3 level = vec3(direction.x, 0.0, direction.z);
-    return distribution(HORIZON_SINE, min(cosine_to_glow(level), HAZE_GLOW_COSINE));
+    return distribution(HORIZON_SINE, cosine_to_glow(level));
 }
 
 float haze_share(float distance_m) {

@@ -20,6 +20,7 @@ class Gpu {
     const words = (name) => this.data_texture(scene.words(name));
     this.data = {
       sprite_data: words("sprites"), group_data: words("groups"), cloud_data: words("clouds"), stir_data: words("stirs"),
+      baked_data: words("baked"),
       moment_data: this.data_texture(new Uint32Array(4)), pose_data: this.data_texture(new Uint32Array(4)),
     };
     this.empty = gl.createVertexArray();

@@ -30,6 +30,10 @@ function at_second(rows, width, first, count, second, out) {
   return out;
 }
 
+// Of a cloud; and of a sprite that is baked, with the directions straight up and straight down.
+const CLOUD_NUMBERS = 40;
+const [BAKED_WORDS, BAKED_UP, BAKED_DOWN] = [16, 6, 13];
+
 /** The scene's light, clouds and air at any second of its clock, at its own hour or another. */
 class Scene {
   constructor(section) {
@@ -39,6 +43,7 @@ class Scene {
     this.sprite_words = this.words("sprites");
     this.stirs = section("stirs", Float32Array);
     this.stir_words = this.words("stirs");
+    this.baked = this.words("baked");
     const keys = ["cloud_keys", "air_keys", "level_keys"];
     [this.cloud_keys, this.air_keys, this.level_keys] = keys.map((name) => section(name, Float32Array));
     this.by_hour = section("light_by_hour", Float32Array);
@@ -87,7 +92,7 @@ class Scene {
     HEADER.clouds.forEach(({ first_level_key, level_keys }, index) => {
       if (level_keys === 0) return;
       const numbers = at_second(this.level_keys, 26, first_level_key, level_keys, clock_s, []);
-      const cloud = this.clouds.subarray(32 * index, 32 * (index + 1));
+      const cloud = this.clouds.subarray(CLOUD_NUMBERS * index, CLOUD_NUMBERS * (index + 1));
       for (let level = 0; level < 5; level++) {
         const [height, ...color] = numbers.slice(5 * level, 5 * level + 5);
         cloud[level < 4 ? 8 + level : 6] = height;
@@ -112,7 +117,7 @@ class Scene {
     const { origin, first_key, keys } = HEADER.clouds[index];
     const [x, y, z, core, falloff, growth, opacity, scale, sin, cos] =
       at_second(this.cloud_keys, 11, first_key, keys, clock_s, []);
-    const reach_m = air ? REACH * this.clouds[index * 32 + 7] * scale : -1;
+    const reach_m = air ? REACH * this.clouds[index * CLOUD_NUMBERS + 7] * scale : -1;
     const now = [origin[0] + x, origin[1] + y, origin[2] + z];
     return { origin: now, core, falloff, growth, opacity, scale, sin, cos, reach_m };
   }

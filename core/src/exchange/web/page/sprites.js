@@ -4,6 +4,9 @@ const FACES_EYE = 0xffffffff;
 // The sine of so many whole turns.
 const sine = (turns) => Math.sin(2 * Math.PI * turns);
 
+/** A direction as it lies to a cloud at rest. */
+const at_rest = ({ sin, cos }, [x, y, z]) => [cos * x - sin * z, y, sin * x + cos * z];
+
 /** Lists that are made anew for each frame, in memory that is kept. */
 class DrawList {
   constructor(scene) {
@@ -14,13 +17,13 @@ class DrawList {
     this.distances = new Float32Array(most);
     this.keys = new Uint32Array(this.distances.buffer);
     this.order = [new Uint32Array(most), new Uint32Array(most)];
-    this.moments = new Float32Array(12 * HEADER.clouds.length);
+    this.moments = new Float32Array(16 * HEADER.clouds.length);
     this.poses = [];
     this.veiled = [];
   }
 
-  /** What `view` sees at `clock_s`, in that air, with what `memory` holds of the sprites around it. */
-  make(view, clock_s, air, memory) {
+  /** What `view` sees at `clock_s` under the sun from there, in that air, with what `memory` holds of the sprites around it. */
+  make(view, clock_s, sun_direction, air, memory) {
     this.count = 0;
     this.poses.length = this.veiled.length = 0;
     memory.begin(view);
@@ -29,7 +32,11 @@ class DrawList {
       const moment = this.scene.moment(index, clock_s, air);
       const from_eye = [0, 1, 2].map((i) => Math.fround(moment.origin[i] - view.eye[i]));
       const { core, falloff, growth, opacity, scale, sin, cos, reach_m } = moment;
-      this.moments.set([...from_eye, core, falloff, growth, opacity, scale, sin, cos, reach_m, 0], 12 * index);
+      const soft = soft_light(this.scene.clouds, index);
+      const { at, shares } = soft ? around(in_model(soft, at_rest(moment, sun_direction))) : { at: [0, 0, 0], shares: [0, 0, 0] };
+      const places = at[0] + 16 * at[1] + 256 * at[2];
+      const numbers = [...from_eye, core, falloff, growth, opacity, scale, sin, cos, reach_m, places, ...shares, 0];
+      this.moments.set(numbers, 16 * index);
       if (core > 0 && opacity > 0) this.add(index, cloud, moment, from_eye, { air, view, memory, first_key: key });
       key += cloud.sprites;
     });
@@ -40,7 +47,7 @@ class DrawList {
   add(index, cloud, moment, from_eye, { air, view, memory, first_key }) {
     const { sprites, clouds } = this.scene;
     const { growth, scale, sin, cos } = moment;
-    const [bottom, top] = [clouds[32 * index + 4], clouds[32 * index + 5]];
+    const [bottom, top] = [clouds[CLOUD_NUMBERS * index + 4], clouds[CLOUD_NUMBERS * index + 5]];
     for (let i = 0; i < cloud.sprites; i++) {
       const sprite = cloud.first_sprite + i;
       const at = 8 * sprite;

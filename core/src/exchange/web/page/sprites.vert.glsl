@@ -14,6 +14,7 @@ uniform usampler2D cloud_data;
 uniform usampler2D moment_data;
 uniform usampler2D pose_data;
 uniform usampler2D stir_data;
+uniform usampler2D baked_data;
 // The air that moves sprites one by one.
 uniform vec3 air_lean;
 uniform vec3 air_lean_shear;
@@ -48,10 +49,16 @@ struct Cloud {
     // Heights of the colour levels, and their colours.
     float heights[5];
     vec4 colors[5];
+    // Where what is baked begins, from the sprites; self-shadow and halo.
+    int baked_from_sprites;
+    float self_shadow;
+    float halo;
+    // Sine and cosine of the turn from the model's space.
+    vec2 heading;
 };
 
 Cloud load_cloud(uint index) {
-    uint at = index * 8u;
+    uint at = index * 10u;
     vec4 sphere = floats(cloud_data, at);
     vec4 extent = floats(cloud_data, at + 1u);
     vec4 heights = floats(cloud_data, at + 2u);
@@ -64,6 +71,11 @@ Cloud load_cloud(uint index) {
     for (int i = 0; i < 5; i++) {
         cloud.colors[i] = floats(cloud_data, at + 3u + uint(i));
     }
+    vec4 soft = floats(cloud_data, at + 8u);
+    cloud.baked_from_sprites = int(soft.x);
+    cloud.self_shadow = soft.y;
+    cloud.halo = soft.z;
+    cloud.heading = floats(cloud_data, at + 9u).xy;
     return cloud;
 }
 
@@ -78,13 +90,21 @@ struct Moment {
     vec2 turn;
     // How far edges can be carried, metres; negative in air that carries nothing.
     float reach_m;
+    // The directions around the sun's, and their shares.
+    uvec3 around;
+    vec3 shares;
 };
 
 Moment load_moment(uint cloud) {
-    vec4 first = floats(moment_data, cloud * 3u);
-    vec4 second = floats(moment_data, cloud * 3u + 1u);
-    vec4 third = floats(moment_data, cloud * 3u + 2u);
-    return Moment(first.xyz, first.w, second.x, second.y, second.z, second.w, third.xy, third.z);
+    vec4 first = floats(moment_data, cloud * 4u);
+    vec4 second = floats(moment_data, cloud * 4u + 1u);
+    vec4 third = floats(moment_data, cloud * 4u + 2u);
+    uint places = uint(third.w);
+    uvec3 around = uvec3(places, places >> 4u, places >> 8u) & uvec3(15u);
+    vec3 shares = floats(moment_data, cloud * 4u + 3u).xyz;
+    return Moment(
+        first.xyz, first.w, second.x, second.y, second.z, second.w, third.xy, third.z, around, shares
+    );
 }
 
 // The sine of so many whole turns.
@@ -147,11 +167,52 @@ Moment moment;
 vec3 group_center;
 vec3 group_c;
 vec3 sun_at_rest;
+// What light is left at the sprite from the sun, from straight up and from straight down: at its middle, and how it changes.
+vec4 from_sun;
+vec4 from_above;
+vec4 from_below;
+float halo;
 
-// Linear rgb, straight; alpha as far as the cloud has formed.
-vec4 corner_light(vec3 point) {
+vec4 load_left(uint direction) {
+    uint sprite = uint(int(instance.y) + cloud.baked_from_sprites);
+    uint word = words(baked_data, sprite * 4u + (direction >> 2u))[direction & 3u];
+    return vec4(float(word & 255u) / 255.0, (ivec3(int(word) << 16, int(word) << 8, int(word)) >> 24)) / vec4(1.0, vec3(127.0));
+}
+
+void load_through(vec3 towards_eye) {
+    if (cloud.self_shadow <= 0.0 && cloud.halo <= 0.0) {
+        return;
+    }
+    from_sun = moment.shares.x * load_left(moment.around.x)
+        + moment.shares.y * load_left(moment.around.y)
+        + moment.shares.z * load_left(moment.around.z);
+    from_above = load_left(6u);
+    from_below = load_left(13u);
+    float spread = 1.0 + FORWARD * FORWARD + 2.0 * FORWARD * dot(towards_eye, sun_direction);
+    halo = cloud.halo * HALO * (1.0 - FORWARD * FORWARD) * 0.07957747 / (spread * sqrt(spread));
+}
+
+float left_at(vec4 left, vec3 offset) {
+    return clamp(left.x + dot(left.yzw, offset), 0.0, 1.0);
+}
+
+// At `offset` from the sprite's middle at rest: linear rgb, straight; alpha as far as the cloud has formed.
+vec4 corner_light(vec3 rest, vec3 offset, float reach) {
+    vec3 point = rest + offset;
     vec4 level = level_color(cloud, height_within(cloud, point.y));
-    vec3 rgb = level.rgb * ambient.rgb + directional * directional_share(point - group_center, group_c, sun_at_rest);
+    float sky_share = 1.0;
+    float sun_share = directional_share(point - group_center, group_c, sun_at_rest);
+    if (cloud.self_shadow > 0.0 || cloud.halo > 0.0) {
+        vec3 in_model = turned_by(vec2(-cloud.heading.x, cloud.heading.y), offset) / reach;
+        float sun = left_at(from_sun, in_model);
+        float sun_4 = (sun * sun) * (sun * sun);
+        float let_through = group_c.z * (SCATTERED * sun + STRAIGHT * sun_4 * sun_4);
+        float open = (1.0 - FROM_BELOW) * sqrt(left_at(from_above, in_model))
+            + FROM_BELOW * sqrt(left_at(from_below, in_model));
+        sun_share = sun_share * (1.0 - cloud.self_shadow) + cloud.self_shadow * let_through + halo * sun_4;
+        sky_share = 1.0 - cloud.self_shadow * SKY_KEPT_OUT * (1.0 - open);
+    }
+    vec3 rgb = level.rgb * ambient.rgb * sky_share + directional * sun_share;
     float radii = distance(point, cloud.center) * cloud.inverse_radius;
     float formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
     return vec4(rgb, clamp(level.a * ambient.a, 0.0, 1.0) * formed * moment.opacity);
@@ -214,10 +275,12 @@ void main() {
     vec4 shows = vec4(vec3(1.0 - hazed), fade * condensed);
     vec3 right_at_rest = at_rest(to_right, moment) / moment.scale;
     vec3 top_at_rest = at_rest(to_top, moment) / moment.scale;
-    vec4 top_left = shows * corner_light(rest - right_at_rest + top_at_rest);
-    vec4 top_right = shows * corner_light(rest + right_at_rest + top_at_rest);
-    vec4 bottom_left = shows * corner_light(rest - right_at_rest - top_at_rest);
-    vec4 bottom_right = shows * corner_light(rest + right_at_rest - top_at_rest);
+    load_through(towards);
+    float reach = 0.5 * length(vec2(first.w, uintBitsToFloat(second.x)));
+    vec4 top_left = shows * corner_light(rest, top_at_rest - right_at_rest, reach);
+    vec4 top_right = shows * corner_light(rest, right_at_rest + top_at_rest, reach);
+    vec4 bottom_left = shows * corner_light(rest, -right_at_rest - top_at_rest, reach);
+    vec4 bottom_right = shows * corner_light(rest, right_at_rest - top_at_rest, reach);
 
     uv = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     vec3 corner = center + to_right * (2.0 * uv.x - 1.0) + to_top * (1.0 - 2.0 * uv.y);

@@ -6,12 +6,11 @@ function veil_of(list, scene, light, air) {
   const density = light.inside_density[0];
   let depth = 0, lit = [0, 0, 0];
   for (const { index, sprite, center, pose, moment } of density > 0 ? list.veiled : []) {
-    const { sin, cos, scale } = moment;
-    const at_rest = ([x, y, z]) => [cos * x - sin * z, y, sin * x + cos * z];
+    const { scale } = moment;
     const rest = [0, 1, 2].map((i) => scene.sprites[8 * sprite + i]);
-    const point = add(rest, scaled(at_rest(scaled(center, -1)), 1 / scale));
+    const point = add(rest, scaled(at_rest(moment, scaled(center, -1)), 1 / scale));
     const word = scene.sprite_words[8 * sprite + 7];
-    const color = corner_light(scene, index, word >>> 4, point, moment, light, at_rest([...light.sun_direction]));
+    const color = corner_light(scene, index, sprite, point, moment, light);
     const threshold = air ? scene.stirs[4 * sprite + 1] : 0;
     const condensed = air ? smoothstep(threshold - CONDENSING, threshold + CONDENSING, air.humidity) : 1;
     const opacity = Math.min(color[3] * condensed * HEADER.mean_opacities[word & 15], MOST_OPAQUE);
@@ -24,18 +23,26 @@ function veil_of(list, scene, light, air) {
   return [...scaled(lit, alpha / depth), alpha];
 }
 
-/** The light at a point at rest, as the sprites' shader has it: linear rgb, straight, and alpha. */
-function corner_light(scene, cloud, group, point, moment, light, sun) {
-  const { clouds, groups } = scene;
-  const at = 32 * cloud;
+/** The light on a sprite at a point at rest, as the sprites' shader has it: linear rgb, straight, and alpha. */
+function corner_light(scene, cloud, sprite, point, moment, light) {
+  const { clouds, groups, sprites } = scene;
+  const at = CLOUD_NUMBERS * cloud;
+  const group = scene.sprite_words[8 * sprite + 7] >>> 4;
+  const sun = at_rest(moment, light.sun_direction);
   const [bottom, top] = [clouds[at + 4], clouds[at + 5]];
   const level = level_color(clouds, at, top > bottom ? clamp((point[1] - bottom) / (top - bottom), 0, 1) : 0);
   const [x, y, z, c_min, c_med, c_max] = groups.subarray(8 * group, 8 * group + 6);
   const d = clamp(dot(unit_or(add(point, [-x, -y, -z]), [0, 0, 0]), sun), -1, 1);
-  const directional = c_med + d * (d < 0 ? c_med - c_min : c_max - c_med);
+  let [ambient, directional] = [1, c_med + d * (d < 0 ? c_med - c_min : c_max - c_med)];
+  const soft = soft_light(clouds, cloud);
+  if (soft) {
+    const [px, py, pz, width, height] = sprites.subarray(8 * sprite, 8 * sprite + 5);
+    const offset = scaled(in_model(soft, add(point, [-px, -py, -pz])), 2 / Math.hypot(width, height));
+    [ambient, directional] = through(scene, soft, sprite, offset, in_model(soft, sun), c_max, [ambient, directional]);
+  }
   const radii = length([0, 1, 2].map((i) => point[i] - clouds[at + i])) * clouds[at + 3];
   const formed = clamp(moment.core - moment.falloff * radii, 0, 1) * moment.opacity;
-  const rgb = [0, 1, 2].map((i) => level[i] * light.ambient[i] + light.directional[i] * directional);
+  const rgb = [0, 1, 2].map((i) => level[i] * light.ambient[i] * ambient + light.directional[i] * directional);
   return [...rgb, clamp(level[3] * light.ambient[3], 0, 1) * formed];
 }
 
