@@ -162,7 +162,7 @@ const fn ctrl_shift(key: Key) -> Option<KeyboardShortcut> {
 
 commands! {
     File {
-        New: "New", "Start a new scene.", ctrl(Key::N), Some(icon::FILE_PLUS);
+        New: "New…", "Start a new scene, with a clear sky or one that is ready.", ctrl(Key::N), Some(icon::FILE_PLUS);
         Open: "Open…", "Open a scene file.", ctrl(Key::O), None;
         OpenRecent: "Open recent…", "Open one of the last ten scenes.", ctrl_shift(Key::O), None;
         Save: "Save", "Save the scene.", ctrl(Key::S), Some(icon::FLOPPY_DISK);

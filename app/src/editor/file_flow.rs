@@ -9,7 +9,6 @@ use super::files::{Ask, Reply, Waiting};
 use super::intent::{Intent, Then};
 use crate::opening::{self, OpenError};
 use crate::panel::Panel;
-use crate::starter::starter_scene;
 use crate::state::{Session, ViewState};
 use crate::storage::Stamp;
 use cloudwright_core::formats::scene_file;
@@ -39,10 +38,6 @@ impl Editor {
     /// Carries `intent` out, whatever is lost.
     pub(super) fn go(&mut self, intent: Intent, context: &egui::Context) {
         match intent {
-            Intent::New => {
-                self.replace(Session::new(starter_scene(), None), None);
-                self.toasts.forget_errors();
-            }
             Intent::Begin(template) => match template.scene() {
                 Ok(scene) => {
                     let mut session = Session::new(scene, None);

@@ -9,7 +9,6 @@ use std::sync::Arc;
 /// Something that leaves the present document.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Intent {
-    New,
     /// That sky, as a scene that has no file yet.
     Begin(Template),
     OpenFile(PathBuf),

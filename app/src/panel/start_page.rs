@@ -5,7 +5,7 @@ use crate::starter::Template;
 use crate::theme::{self, icon};
 use crate::thumbnail::{Subject, Thumbnails};
 use crate::visible;
-use crate::widget::{fitted, markdown, name_it, picture_button, side_by_side};
+use crate::widget::{fitted, markdown, name_it, picture_button, side_by_side, template_choice};
 use egui::{Button, Context, Id, Modal, RichText, ScrollArea, Ui};
 use std::path::{Path, PathBuf};
 
@@ -91,16 +91,7 @@ fn skies(ui: &mut Ui, page: &StartPage<'_>, thumbnails: &mut Thumbnails) -> Opti
         ui.add_space(theme::GAP);
     }
     ui.strong("Begin with");
-    side_by_side(ui, |ui| {
-        for template in Template::ALL {
-            let texture = picture(Subject::Template(template));
-            let response = picture_button(ui, texture, theme::START_PICTURE, template.label(), None);
-            ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(template.help()));
-            if response.on_hover_text(template.help()).clicked() {
-                chosen = Some(StartChoice::Begin(template));
-            }
-        }
-    });
+    chosen = chosen.or(template_choice(ui, page.may_draw.then_some(thumbnails)).0.map(StartChoice::Begin));
     ui.add_space(theme::GAP);
     ui.horizontal_wrapped(|ui| {
         let report = ui.button((icon::CLOUD, "Weather from a report…"));

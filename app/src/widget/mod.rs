@@ -22,5 +22,5 @@ pub(crate) use kept::Kept;
 pub(crate) use markdown::{markdown, with_known_glyphs};
 pub(crate) use offer::{context_menu, menu_line, offer};
 pub use picture_choice::{category_choice, preset_choice};
-pub(crate) use picture_choice::{picture_button, side_by_side};
+pub(crate) use picture_choice::{picture_button, side_by_side, template_choice};
 pub(crate) use section::{section, section_called};

@@ -1,9 +1,10 @@
-//! Pictures to choose from: ready-made clouds, and categories.
+//! Pictures to choose from: ready-made clouds, skies to begin with, and categories.
 //!
 //! A tile is a button with a picture above its name: reached by Tab and the arrow keys, pressed by Enter, Space or
 //! click, and named for screen readers. Until its picture is drawn it is a quiet blank. Nothing is changed here; what was
 //! chosen is returned.
 
+use crate::starter::Template;
 use crate::theme;
 use crate::thumbnail::{Subject, Thumbnails};
 use cloudwright_core::preset::Preset;
@@ -27,6 +28,28 @@ pub fn preset_choice(ui: &mut Ui, thumbnails: &mut Thumbnails) -> Option<&'stati
             }
         }
         chosen
+    })
+}
+
+/// All skies to begin with, drawn by `thumbnails` if they may be by now. The one that was chosen in this frame, and the
+/// first tile.
+pub(crate) fn template_choice(
+    ui: &mut Ui,
+    mut thumbnails: Option<&mut Thumbnails>,
+) -> (Option<Template>, Option<Response>) {
+    side_by_side(ui, |ui| {
+        let (mut chosen, mut first) = (None, None);
+        for template in Template::ALL {
+            let texture = thumbnails.as_mut().and_then(|thumbnails| thumbnails.texture(&Subject::Template(template)));
+            let response = picture_button(ui, texture, theme::START_PICTURE, template.label(), None);
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(template.help()));
+            let response = response.on_hover_text(template.help());
+            if response.clicked() {
+                chosen = Some(template);
+            }
+            first.get_or_insert(response);
+        }
+        (chosen, first)
     })
 }
 

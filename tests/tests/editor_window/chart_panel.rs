@@ -117,11 +117,15 @@ fn what_was_stopped_in_the_middle_is_called_so() {
     let mut window = with_panel();
     window.press("Measure");
     window.wait("a first row", |window| window.has(Role::Button, "truth"));
+    // Its colour is not all that tells its family.
+    let family = window.node(Role::Button, "truth").accesskit_node().description();
+    assert_eq!(family.as_deref(), Some(Family::Truth.name()));
     window.press("Stop");
     assert!(window.shows("Measuring was stopped") && window.shows("cheapest: not known yet"));
     // Another scene has nothing of this one's.
     window.press("Measure");
     window.command(Command::New);
+    window.press("Clear sky");
     assert!(window.has(Role::Button, "Measure") && !window.shows("Measuring was stopped"));
     assert!(!window.has(Role::Button, "truth"));
 }

@@ -78,18 +78,25 @@ fn unsaved_changes_are_asked_about() {
     window.press("New");
     window.press("Cancel");
     assert_eq!(window.scene(), &changed);
-    window.press("New");
+    let new = |window: &mut Window| {
+        window.keys(Modifiers::COMMAND, Key::N);
+        window.press("One small cloud");
+    };
+    new(&mut window);
+    window.press("Cancel");
+    assert_eq!(window.scene(), &changed);
+    new(&mut window);
     window.press("Don't save");
     assert_eq!(window.scene(), &start);
     change(&mut window);
     // Saving needs a name; without one, nothing is thrown away.
     window.answer(Reply::Cancelled);
-    window.keys(Modifiers::COMMAND, Key::N);
+    new(&mut window);
     window.node_in_dialog_save();
     assert_eq!(window.scene(), &changed);
     let path = folder.path().join("kept.cloudscene");
     window.answer(Reply::Path(path.clone()));
-    window.keys(Modifiers::COMMAND, Key::N);
+    new(&mut window);
     window.node_in_dialog_save();
     assert_eq!(window.scene(), &start, "saved, and then new");
     let named = Scene { name: "kept".into(), ..changed };

@@ -94,6 +94,7 @@ fn a_dropped_scene_is_opened() {
     window.press("Add camera");
     window.save_at(&scene);
     window.keys(Modifiers::COMMAND, Key::N);
+    window.press("One small cloud");
     window.drop_files(&[&picture]);
     assert!(window.shows("sky.png is no scene"));
     window.drop_files(&[&scene, &picture]);

@@ -64,6 +64,29 @@ fn a_sky_to_begin_with_is_a_scene_without_a_file() {
 }
 
 #[test]
+fn new_in_the_file_menu_begins_with_a_clear_sky_or_another() {
+    let mut window = Window::open();
+    window.settle();
+    window.press("File");
+    window.press("New…");
+    let top = |label| window.node(Role::Button, label).rect().left_top();
+    for later in ["One small cloud", "Fair weather", "A front passes"] {
+        let (first, later) = (top("Clear sky"), top(later));
+        assert!((first.y, first.x) < (later.y, later.x), "{first} and {later}");
+    }
+    window.keys(Modifiers::NONE, Key::Enter);
+    assert!(window.scene().clouds.is_empty() && window.scene().models.is_empty(), "the first has the focus");
+    assert!(!window.shows("New scene") && !window.session().document().is_modified());
+    window.keys(Modifiers::COMMAND, Key::N);
+    window.press("Storm at dusk");
+    assert!(!window.scene().clouds.is_empty());
+    let scene = window.scene().clone();
+    window.keys(Modifiers::COMMAND, Key::N);
+    window.keys(Modifiers::NONE, Key::Escape);
+    assert!(!window.shows("New scene") && window.scene() == &scene);
+}
+
+#[test]
 fn recent_scenes_are_there_with_pictures_and_open() {
     let home = tempfile::tempdir().expect("a folder");
     let folders = Folders::within(home.path());

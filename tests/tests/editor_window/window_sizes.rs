@@ -134,7 +134,8 @@ fn all_of_each_menu_can_be_reached() {
 }
 
 /// A command that asks, and a button of its answer.
-const DIALOGS: [(Command, &str); 14] = [
+const DIALOGS: [(Command, &str); 15] = [
+    (Command::New, "Cancel"),
     (Command::AddPreset, "Cancel"),
     (Command::PlaceMany, "Cancel"),
     (Command::ThinOut, "Cancel"),
@@ -142,7 +143,7 @@ const DIALOGS: [(Command, &str); 14] = [
     (Command::Export, "Cancel"),
     (Command::RenderPicture, "Cancel"),
     (Command::RenderFlight, "Cancel"),
-    (Command::Palette, "File: New"),
+    (Command::Palette, "File: New…"),
     (Command::Preferences, "Done"),
     (Command::SaveLayout, "Cancel"),
     (Command::ReportProblem, "Cancel"),

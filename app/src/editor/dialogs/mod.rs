@@ -7,6 +7,7 @@ mod about;
 mod append;
 mod folder;
 mod layouts;
+mod new_scene;
 mod path;
 mod preferences;
 mod preset;
@@ -41,6 +42,8 @@ use trouble::Trouble;
 /// One window.
 #[derive(Debug)]
 pub(super) enum Dialog {
+    /// Skies for a new scene to begin with, and whether the first of them has got the focus.
+    New { has_focus: bool },
     /// This would lose changes.
     Unsaved(Intent),
     /// This would lose what was written of a script.
@@ -157,6 +160,14 @@ impl Editor {
     fn answer(&mut self, dialog: &mut Dialog, context: &egui::Context) -> Option<()> {
         let name = self.display_name();
         match dialog {
+            Dialog::New { has_focus } => {
+                // Before the picture is there, nothing else is drawn.
+                let may_draw = self.viewport.picture_time().is_some();
+                let thumbnails = may_draw.then_some(self.thumbnails.get_mut());
+                if let Some(template) = new_scene::choose(context, thumbnails, has_focus)? {
+                    self.want(Intent::Begin(template), context);
+                }
+            }
             Dialog::Unsaved(intent) => match Question::unsaved(&name).ask(context)? {
                 question::FIRST => self.save_and_go(intent.clone(), context),
                 question::SECOND => self.go(intent.clone(), context),

@@ -218,7 +218,7 @@ impl Editor {
             return;
         }
         match command {
-            Command::New => self.want(Intent::New, context),
+            Command::New => self.dialogs.open(Dialog::New { has_focus: false }),
             Command::Open => self.ask(Ask::Open(self.beside_what()), context),
             Command::Append => self.ask(Ask::Append(self.beside_what()), context),
             Command::Import => self.ask(Ask::Arrive(self.beside_what()), context),
