@@ -57,12 +57,21 @@ fn cumulus(counter: &mut IdCounter) -> Vec<CloudBox> {
     vec![base, body, left, right]
 }
 
+/// What new boxes are called, with a number behind it where that is taken in their model.
+pub(crate) const BOX: &str = "box";
+
+/// The names that a model's boxes have.
+pub(crate) fn names_of_boxes(model: &CloudModel) -> Names {
+    Names::new(model.boxes.iter().map(|each| each.name.as_str()))
+}
+
 /// A model of one box and its first cloud, as edits, with what to select.
 pub(crate) fn add_cloud(scene: &Scene, at: DVec3) -> (Vec<Edit>, CloudId) {
     let mut counter = scene.next_id;
     let name = Names::new(scene.models.iter().map(|model| model.name.as_str())).free("cloud");
     let mut model = CloudModel::new(ModelId::new(&mut counter), &name, Category::CumulusHumilis);
-    model.boxes.push(CloudBox::new(BoxId::new(&mut counter), DVec3::ZERO));
+    let first = CloudBox::new(BoxId::new(&mut counter), DVec3::ZERO);
+    model.boxes.push(CloudBox { name: BOX.into(), ..first });
     let cloud = Cloud::new(CloudId::new(&mut counter), &model, at);
     let id = cloud.id;
     let edits = vec![

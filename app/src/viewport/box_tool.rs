@@ -16,8 +16,8 @@ use egui::{Key, Modifiers, Painter, Pos2, Response, Ui, vec2};
 use glam::DVec3;
 use surface::{At, DEPTH_SHARE, Surface};
 
-/// What the history calls it.
-const NAME: &str = "Box tool";
+/// What the history calls it, before the box's name.
+const NAME: &str = "Draw";
 
 /// The tool between its clicks.
 #[derive(Debug, Default)]

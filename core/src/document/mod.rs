@@ -138,7 +138,7 @@ impl Document {
         let Some(mut point) = self.open.take().map(Transaction::into_point) else { return Ok(()) };
         let mut before = self.scene.clone();
         let (forward, change) = point.reverse(&mut before);
-        if tell && let Some(told) = told::told(&point.name, point.inverses(), forward.inverses()) {
+        if tell && let Some(told) = told::told(&point.name, point.inverses(), forward.inverses(), &self.scene) {
             point.name = told;
         }
         if before == self.scene {

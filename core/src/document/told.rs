@@ -1,11 +1,12 @@
 //! What a gesture did, in the words of the history: "Width of belly from 210 to 340 m".
 //!
-//! Old values and new ones are read by the table of properties from the edits that lead back and on again. Where one property
-//! of one thing or of several was changed it is told; anything else keeps the name that it was given, with the thing's.
+//! Old values and new ones are read by the table of properties from the edits that lead back and on again. Where one
+//! property of one thing or of several was changed it is told; anything else keeps the name that it was given, with the
+//! thing's. A box that is new is told with its model's name: "Draw box 3 of heap".
 
 use super::edit::{Edit, ListEdit};
 use crate::property::{Described, Kind, Owner, Parts, Property, Value, Visitor, enter};
-use crate::scene::{Thing, kinds};
+use crate::scene::{BoxId, ModelId, Scene, Thing, kinds};
 use std::collections::BTreeSet;
 use std::fmt::Arguments;
 
@@ -23,8 +24,15 @@ struct Changed {
     new: Value,
 }
 
-/// What a transaction of that name did; `back` leads back and `on` forward again. None if its name says more.
-pub(super) fn told(name: &str, back: &[Edit], on: &[Edit]) -> Option<String> {
+/// What a transaction of that name did, after which the scene is `scene`; `back` leads back and `on` forward again.
+/// None if its name says more.
+pub(super) fn told(name: &str, back: &[Edit], on: &[Edit], scene: &Scene) -> Option<String> {
+    if let Some((model, id)) = new_box(on) {
+        let model = scene.model(model)?;
+        let named = model.boxes.iter().find(|each| each.id == id).filter(|each| !each.name.trim().is_empty());
+        let called = named.map_or_else(|| format!("box {id}"), |each| cut(&each.name));
+        return Some(format!("{name} {called} of {}", cut(&model.name)));
+    }
     let replaces = |edits: &[Edit]| edits.iter().all(|edit| edit.replaces().is_some());
     if back.len() != on.len() || back.len() > MOST_EDITS || !replaces(back) || !replaces(on) {
         return None;
@@ -37,6 +45,20 @@ pub(super) fn told(name: &str, back: &[Edit], on: &[Edit]) -> Option<String> {
     on.iter().rev().for_each(|edit| visit(edit, &mut new));
     let changed = old.changed_to(new)?;
     tell(name, &changed, &old)
+}
+
+/// The one box that edits bring into the scene, in a model that is there or in one of its own.
+fn new_box(edits: &[Edit]) -> Option<(ModelId, BoxId)> {
+    let new = |edit: &Edit| match edit {
+        Edit::Box(model, ListEdit::Insert { value, .. }) => Some((*model, value.id)),
+        Edit::Model(ListEdit::Insert { value, .. }) => match value.boxes.as_slice() {
+            [only] => Some((value.id, only.id)),
+            _ => None,
+        },
+        _ => None,
+    };
+    let mut found = edits.iter().filter_map(new);
+    found.next().filter(|_| found.next().is_none())
 }
 
 fn tell(name: &str, changed: &[Changed], old: &Values) -> Option<String> {
@@ -247,7 +269,7 @@ mod tests {
     use super::*;
     use crate::document::Document;
     use crate::problem::sound_scene;
-    use crate::scene::{CloudBox, Scene};
+    use crate::scene::{CloudBox, IdCounter, Scene};
     use glam::DVec3;
 
     /// What the history calls a gesture on the boxes of a model.
@@ -297,6 +319,22 @@ mod tests {
             let was = start.models[0].boxes[0].clone();
             let told = told.replace("WIDTH", &short(was.width[1])).replace("SIZE", &short(was.size.x));
             assert_eq!(got, told);
+        }
+    }
+
+    #[test]
+    fn a_new_box_is_told_with_its_model() {
+        for (name, told) in [("box 3", "Draw box 3 of heap"), (" ", "Draw box 99 of heap")] {
+            let mut document = Document::new(sound_scene());
+            let model = document.scene().models[0].id;
+            document.begin("Draw");
+            document.apply(Edit::NextId(IdCounter(100))).expect("a number");
+            let mut new = CloudBox { name: name.into(), ..CloudBox::new(BoxId(99), DVec3::ZERO) };
+            document.apply(Edit::Box(model, ListEdit::Insert { at: usize::MAX, value: new.clone() })).expect("new");
+            new.size.x = 700.0;
+            document.apply(Edit::Box(model, ListEdit::Replace(new))).expect("it is there");
+            document.commit_told().expect("sound");
+            assert_eq!(document.undo_name(), Some(told));
         }
     }
 

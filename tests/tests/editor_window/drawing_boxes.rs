@@ -42,7 +42,7 @@ fn a_box_is_drawn_in_one_step() {
         assert!(corners.iter().any(|corner| corner.distance(end) < 2.0), "{corners:?} for {end}");
     }
     assert!(window.sprites() >= sprites + 10);
-    assert_eq!(window.undo_name().as_deref(), Some("Box tool"));
+    assert_eq!(window.undo_name().as_deref(), Some("Draw box of cloud"));
     window.press("Undo");
     assert_eq!((window.scene(), window.undo_name()), (&start, None));
 }
@@ -113,7 +113,7 @@ fn what_is_no_box_leaves_nothing() {
     window.drag(from, by);
     window.keys(Modifiers::NONE, Key::Q);
     assert!(!window.session().document().is_open());
-    assert_eq!(window.undo_name().as_deref(), Some("Box tool"));
+    assert_eq!(window.undo_name().as_deref(), Some("Draw box of cloud"));
     window.press("Undo");
     assert_eq!(window.scene(), &start);
 }
@@ -143,12 +143,16 @@ fn boxes_go_into_the_selected_cloud_unless_it_is_locked() {
     // By the keyboard: a box in the middle of the view.
     window.keys(Modifiers::NONE, Key::Enter);
     assert_eq!((window.scene().models.len(), window.scene().models[0].boxes.len()), (1, 5));
-    assert_eq!(window.undo_name().as_deref(), Some("Box tool"));
+    assert_eq!(window.undo_name().as_deref(), Some("Draw box of cumulus"));
     assert_eq!(window.primary_box().size, DVec3::splat(500.0));
     let low = window.primary_box().center.y - 250.0;
     assert!((cloud.position.y + low - 1000.0).abs() < 1e-6);
     window.keys(Modifiers::NONE, Key::Enter);
     assert_eq!(window.scene().models[0].boxes.len(), 6, "the new box's cloud takes the next one");
+    window.was_told("Draw box 2 of cumulus");
+    window.command(Command::AddBox);
+    assert_eq!(window.primary_box().name, "box 3");
+    window.command(Command::Undo);
     window.select([Item::Cloud(cloud.id)]);
     window.command(Command::Lock);
     let (from, by) = footprint(&window);

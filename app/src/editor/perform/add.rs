@@ -44,7 +44,8 @@ impl Editor {
             _ => None,
         };
         let middle = model.boxes.iter().map(|b| b.center).sum::<DVec3>() / (model.boxes.len().max(1) as f64);
-        let new = CloudBox::new(id, beside.unwrap_or(middle));
+        let name = starter::names_of_boxes(model).free(starter::BOX);
+        let new = CloudBox { name, ..CloudBox::new(id, beside.unwrap_or(middle)) };
         let mut selection = Selection::of([Item::Box(model.id, id)]);
         if let Some(cloud) = self.view.selection.cloud(scene) {
             selection = selection.through(cloud.id);

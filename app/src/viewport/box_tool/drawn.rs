@@ -1,5 +1,6 @@
 //! A box that is being drawn: its footprint and height in the world, and the edits that bring it into the scene.
 
+use crate::starter::{BOX, names_of_boxes};
 use crate::state::Reading;
 use cloudwright_core::arrange::{ModelSpace, Names, fill};
 use cloudwright_core::document::{Edit, ListEdit};
@@ -49,6 +50,7 @@ pub(super) struct Drawn {
     least_m: f64,
     /// What it became in the scene, once it is there.
     pub(super) made: Option<Made>,
+    name: String,
 }
 
 /// A box in the scene and the cloud that it was drawn in.
@@ -61,7 +63,7 @@ pub(super) struct Made {
 
 impl Drawn {
     pub(super) fn new(target: Target, from: DVec3) -> Self {
-        Self { target, from, to: from, height_m: 1.0, least_m: 1.0, made: None }
+        Self { target, from, to: from, height_m: 1.0, least_m: 1.0, made: None, name: String::new() }
     }
 
     /// Its footprint reaches from where it began to `to`, in steps of `snap_m` if given.
@@ -123,6 +125,7 @@ impl Drawn {
             let mut model = CloudModel::new(ModelId::new(&mut counter), &name, Category::CumulusHumilis);
             let cloud = Cloud::new(CloudId::new(&mut counter), &model, self.middle());
             let made = Made { model: model.id, cloud: cloud.id, id: BoxId::new(&mut counter) };
+            self.name = names_of_boxes(&model).free(BOX);
             model.boxes.push(self.cloud_box(made.id));
             self.made = Some(made);
             return vec![
@@ -132,6 +135,7 @@ impl Drawn {
             ];
         };
         let made = Made { model: cloud.model, cloud: cloud.id, id: BoxId::new(&mut counter) };
+        self.name = scene.model(cloud.model).map_or_else(|| BOX.into(), |model| names_of_boxes(model).free(BOX));
         let new = self.cloud_box(made.id);
         self.made = Some(made);
         vec![Edit::NextId(counter), Edit::Box(made.model, ListEdit::Insert { at: at_end, value: new })]
@@ -149,13 +153,14 @@ impl Drawn {
     /// In its model's space.
     fn cloud_box(&self, id: BoxId) -> CloudBox {
         let up = DVec3::Y * (self.height_m * 0.5);
-        match &self.target {
+        let drawn = match &self.target {
             Target::New => filled(id, up, self.size_m(), 1.0),
             Target::Cloud(cloud) => {
                 let space = ModelSpace::of(cloud);
                 filled(id, space.from_world(self.middle() + up), self.size_m(), space.scale)
             }
-        }
+        };
+        CloudBox { name: self.name.clone(), ..drawn }
     }
 }
 
