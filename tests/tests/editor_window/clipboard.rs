@@ -56,13 +56,13 @@ type Choose = fn(&Scene) -> Vec<Item>;
 
 #[test]
 fn each_kind_is_copied_cut_and_pasted_as_one_step() {
-    let cases: [(Choose, [usize; 4]); 4] = [
-        (|scene| vec![Item::Cloud(scene.clouds[0].id)], [1, 2, 1, 4]),
-        (|scene| vec![Item::Model(scene.models[0].id)], [2, 1, 1, 4]),
-        (|scene| vec![Item::Camera(scene.cameras[0].id)], [1, 1, 2, 4]),
-        (|scene| vec![Item::Box(scene.models[0].id, scene.models[0].boxes[1].id)], [1, 1, 1, 5]),
+    let cases: [(Choose, [usize; 4], &str); 4] = [
+        (|scene| vec![Item::Cloud(scene.clouds[0].id)], [1, 2, 1, 4], "1 cloud"),
+        (|scene| vec![Item::Model(scene.models[0].id)], [2, 1, 1, 4], "1 model"),
+        (|scene| vec![Item::Camera(scene.cameras[0].id)], [1, 1, 2, 4], "1 camera"),
+        (|scene| vec![Item::Box(scene.models[0].id, scene.models[0].boxes[1].id)], [1, 1, 1, 5], "1 box"),
     ];
-    for (choose, wanted) in cases {
+    for (choose, wanted, what) in cases {
         let mut window = opened();
         let start = window.file();
         let items = choose(window.scene());
@@ -72,7 +72,8 @@ fn each_kind_is_copied_cut_and_pasted_as_one_step() {
         assert_eq!(window.file(), start, "copying changes nothing");
         window.paste(&text);
         assert_eq!(window.counts(), wanted, "{items:?}");
-        assert_eq!((window.steps(), window.undo_name().as_deref()), (1, Some("Paste")));
+        assert_eq!((window.steps(), window.undo_name()), (1, Some(format!("Paste {what}"))));
+        assert!(window.shows(&format!("Pasted {what}")));
         let selected = window.harness.state().selection().items().to_vec();
         assert!(selected.len() == 1 && selected != items, "what was pasted is selected: {selected:?}");
         window.command(Command::Undo);
@@ -115,6 +116,8 @@ fn clouds_come_into_another_scene() {
     assert_eq!(other.counts()[..2], [2, 3], "it is another one now");
 }
 
+    other.was_told("Paste 1 cloud and 1 model");
+    assert!(other.shows("Pasted 1 cloud and 1 model"));
 #[test]
 fn boxes_need_a_model() {
     let mut window = opened();

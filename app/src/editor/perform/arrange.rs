@@ -19,9 +19,14 @@ use std::collections::BTreeSet;
 impl Editor {
     /// One undo point; what it made is selected. Where nothing is made, the selection stays.
     pub(super) fn arrange(&mut self, command: Command, arrangement: Arrangement) {
+        self.arrange_as(command.row().label(), arrangement);
+    }
+
+    /// The same under a name that says more than the command's. Whether anything was done.
+    pub(super) fn arrange_as(&mut self, name: &str, arrangement: Arrangement) -> bool {
         let Arrangement { edits, made } = arrangement;
         if edits.is_empty() {
-            return;
+            return false;
         }
         let selection = if made.is_empty() {
             self.view.selection.clone()
@@ -30,7 +35,7 @@ impl Editor {
             let made = Selection::of(made);
             if let Some(cloud) = seen { made.through(cloud) } else { made }
         };
-        self.edit_and_select(command, edits, selection);
+        self.edit_as(name, edits, selection)
     }
 
     pub(super) fn arrange_or_tell(&mut self, command: Command, arrangement: Result<Arrangement, Refusal>) {

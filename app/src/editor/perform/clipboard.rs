@@ -6,7 +6,9 @@
 use crate::command::{Command, Pasted};
 use crate::editor::Editor;
 use crate::state::Item;
+use crate::units::counted;
 use cloudwright_core::arrange::clip::{self, Clip, Holds};
+use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::formats::scene_clip;
 use cloudwright_core::scene::Scene;
 use egui::{Event, Id, ViewportCommand};
@@ -119,7 +121,15 @@ impl Editor {
         }
         let scene = self.session.scene();
         let model = self.view.selection.model(scene).map(|model| model.id);
-        self.arrange_or_tell(Command::Paste, clip::pasted(scene, &clip, model));
+        match clip::pasted(scene, &clip, model) {
+            Ok(arrangement) => {
+                let what = what_is_new(&arrangement.edits);
+                if self.arrange_as(&format!("{} {what}", Command::Paste.row().label()), arrangement) {
+                    self.tell(format!("Pasted {what}"));
+                }
+            }
+            Err(refusal) => self.tell_error(refusal.to_string()),
+        }
         self.tell_missing_models(&clip.scene, &text);
     }
 
@@ -154,28 +164,62 @@ fn said(problem: &cloudwright_core::problem::Problem) -> String {
     format!("{place}{} ({})", problem.message, problem.hint)
 }
 
-/// "2 clouds, 1 model".
+/// What a clip holds: "2 clouds and 1 model".
 fn told(clip: &Clip) -> String {
     let scene = &clip.scene;
     if clip.holds == Holds::Boxes {
-        return counted(scene.models.iter().map(|model| model.boxes.len()).sum(), "box", "boxes").unwrap_or_default();
+        return in_words([0, 0, 0, 0, 0, 0, 0, scene.models.iter().map(|model| model.boxes.len()).sum()]);
     }
-    let counts = [
-        counted(scene.clouds.len(), "cloud", "clouds"),
-        counted(scene.folders.len(), "folder", "folders"),
-        counted(scene.models.len(), "model", "models"),
-        counted(scene.cameras.len(), "camera", "cameras"),
-        counted(scene.paths.len(), "path", "paths"),
-        counted(scene.aircraft.len(), "aircraft", "aircraft"),
-        counted(scene.props.len(), "prop", "props"),
-    ];
-    counts.into_iter().flatten().collect::<Vec<_>>().join(", ")
+    in_words([
+        scene.clouds.len(),
+        scene.folders.len(),
+        scene.models.len(),
+        scene.cameras.len(),
+        scene.paths.len(),
+        scene.aircraft.len(),
+        scene.props.len(),
+        0,
+    ])
 }
 
-fn counted(count: usize, one: &str, many: &str) -> Option<String> {
-    match count {
-        0 => None,
-        1 => Some(format!("1 {one}")),
-        _ => Some(format!("{count} {many}")),
+/// What edits bring into the scene. Models that are there already are shared and don't count.
+fn what_is_new(edits: &[Edit]) -> String {
+    let mut counts = [0; WORDS.len()];
+    for edit in edits {
+        let kind = match edit {
+            Edit::Cloud(ListEdit::Insert { .. }) => 0,
+            Edit::Folder(ListEdit::Insert { .. }) => 1,
+            Edit::Model(ListEdit::Insert { .. }) => 2,
+            Edit::Camera(ListEdit::Insert { .. }) => 3,
+            Edit::Path(ListEdit::Insert { .. }) => 4,
+            Edit::Aircraft(ListEdit::Insert { .. }) => 5,
+            Edit::Prop(ListEdit::Insert { .. }) => 6,
+            Edit::Box(_, ListEdit::Insert { .. }) => 7,
+            _ => continue,
+        };
+        counts[kind] += 1;
+    }
+    in_words(counts)
+}
+
+/// One and several of each kind.
+const WORDS: [[&str; 2]; 8] = [
+    ["cloud", "clouds"],
+    ["folder", "folders"],
+    ["model", "models"],
+    ["camera", "cameras"],
+    ["path", "paths"],
+    ["aircraft", "aircraft"],
+    ["prop", "props"],
+    ["box", "boxes"],
+];
+
+fn in_words(counts: [usize; WORDS.len()]) -> String {
+    let there = counts.into_iter().zip(WORDS).filter(|(count, _)| *count > 0);
+    let mut words: Vec<String> = there.map(|(count, [one, many])| counted(count, one, many)).collect();
+    match words.pop() {
+        Some(last) if words.is_empty() => last,
+        Some(last) => format!("{} and {last}", words.join(", ")),
+        None => String::new(),
     }
 }

@@ -101,11 +101,18 @@ impl Editor {
 
     /// Edits as one undo point; what they made is selected.
     pub(in crate::editor) fn edit_and_select(&mut self, command: Command, edits: Vec<Edit>, selection: Selection) {
-        let done = self.session.edit(command.row().label(), edits);
-        if done.is_ok() {
+        self.edit_as(command.row().label(), edits, selection);
+    }
+
+    /// The same under a name that says more than the command's. Whether it was done.
+    fn edit_as(&mut self, name: &str, edits: Vec<Edit>, selection: Selection) -> bool {
+        let done = self.session.edit(name, edits);
+        let is_done = done.is_ok();
+        if is_done {
             self.select(selection);
         }
         self.report(done);
+        is_done
     }
 
     /// Whether a command has something to work on now.
