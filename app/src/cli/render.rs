@@ -10,6 +10,7 @@ use crate::rendering::{IN_LAYERS, Still, StillEye, check_memory};
 use crate::units::time_of_day;
 use crate::{opening, storage};
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::weather::Moment;
 use panorama::Projection;
 use std::path::PathBuf;
@@ -74,7 +75,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let mut painter = painting.painter(rules)?;
     let moment = Moment { clock_s: arguments.at, time_h: arguments.time };
     let eye = StillEye::Saved(camera);
-    let still = Still { scene: &scene, derived: &derived, beside: &beside, eye, moment, size };
+    let hidden = &Hidden::default();
+    let still = Still { scene: &scene, derived: &derived, beside: &beside, eye, moment, size, hidden };
     let progress = Progress::start("rendering");
     let bytes = still.file(&mut painter, kind, arguments.layers, progress.watch())?;
     drop(progress);

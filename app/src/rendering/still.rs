@@ -4,6 +4,7 @@ use super::{NoPicture, Painter, Said, draw};
 use crate::opening::Beside;
 use crate::picture_kind::PictureKind;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::layers::Later;
 use cloudwright_core::scene::{Camera, Scene};
@@ -48,6 +49,8 @@ pub(crate) struct Still<'a> {
     pub(crate) moment: Moment,
     /// Width and height in pixels.
     pub(crate) size: [u32; 2],
+    /// What is left out.
+    pub(crate) hidden: &'a Hidden,
 }
 
 impl Still<'_> {
@@ -55,7 +58,8 @@ impl Still<'_> {
         let moment = Moment { clock_s: self.moment.clock_s + later_s, ..self.moment };
         let camera = self.eye.at(self.derived, moment.clock_s);
         let still = Sight::still(&camera, self.size);
-        Sight { moment, meshes: self.beside.meshes().clone(), rules: painter.rules, ..still }
+        let (hidden, meshes) = (self.hidden.clone(), self.beside.meshes().clone());
+        Sight { moment, hidden, meshes, rules: painter.rules, ..still }
     }
 
     fn frame<'b>(&'b self, sight: &'b Sight) -> Frame<'b> {

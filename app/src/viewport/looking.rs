@@ -4,11 +4,13 @@ use super::Viewport;
 use super::bounds;
 use super::navigation::Navigation;
 use super::on_board::{OnBoard, PathView};
+use super::parallel;
 use super::side::Side;
 use super::through::{self, Through};
 use crate::command::Command;
 use crate::state::{Reading, Selection, Session};
 use cloudwright_core::camera::View;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::scene::{Camera, PathId};
 use egui::Rect;
 
@@ -105,6 +107,17 @@ impl Viewport {
             self.canvas.begin_anew();
             self.navigation = on_board.before;
         }
+    }
+
+    /// The eye that a picture of the view is taken from, and what can't be seen from it: an orthographic view's is far.
+    pub(crate) fn picture_eye(&self) -> (Camera, Hidden) {
+        let mut hidden = Hidden::default();
+        if !self.is_orthographic() {
+            return (self.camera().clone(), hidden);
+        }
+        let eye = self.navigation.eye();
+        parallel::hide(&eye, &mut hidden);
+        (eye, hidden)
     }
 
     /// The camera that sees the picture in `rect`.

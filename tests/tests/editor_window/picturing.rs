@@ -7,10 +7,11 @@ use cloudwright::editor::{Ask, Reply};
 use cloudwright::storage::Folders;
 use cloudwright_tests::root;
 use egui::accesskit::Role;
-use egui::{Key, Modifiers, OutputCommand};
+use egui::{ColorImage, Key, Modifiers, OutputCommand};
 use egui_kittest::kittest::Queryable;
 use std::cell::RefCell;
 use std::path::Path;
+use std::sync::Arc;
 
 impl Window {
     /// A saved scene in that folder.
@@ -201,23 +202,53 @@ fn what_was_chosen_is_remembered() {
     );
 }
 
+impl Window {
+    /// What *Copy picture* puts onto the clipboard.
+    fn copied_picture(&mut self) -> Arc<ColorImage> {
+        let copied = RefCell::new(None);
+        // It is in one frame's output.
+        let context = self.harness.ctx.clone();
+        self.harness.state_mut().perform(Command::CopyPicture, &context);
+        self.wait("the picture", |window| {
+            for command in &window.harness.output().platform_output.commands {
+                if let OutputCommand::CopyImage(image) = command {
+                    *copied.borrow_mut() = Some(Arc::new(image.clone()));
+                }
+            }
+            copied.borrow().is_some()
+        });
+        copied.into_inner().expect("it was copied")
+    }
+}
+
+#[test]
+fn an_orthographic_view_is_drawn_as_it_is_seen() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = Window::saved_in(folder.path(), None);
+    window.command(Command::FrameAll);
+    window.command(Command::FrontView);
+    window.command(Command::Orthographic);
+    window.settle();
+    let seen = window.copied_picture();
+    let mut off = |name: &str| {
+        window.ask_picture(seen.size.map(|side| u32::try_from(side).expect("small")));
+        let drawn = image::load_from_memory(&window.render(&folder.path().join(name))).expect("a picture").to_rgb8();
+        assert_eq!([drawn.width(), drawn.height()].map(|side| side as usize), seen.size);
+        let pairs = drawn.pixels().zip(&seen.pixels);
+        let off = pairs.map(|(a, b)| (0..3).map(|i| f64::from(a.0[i].abs_diff(b.to_array()[i]))).sum::<f64>());
+        let off = off.sum::<f64>() / seen.pixels.len() as f64;
+        window.command(Command::Orthographic);
+        off
+    };
+    let [parallel, perspective] = ["parallel.png", "perspective.png"].map(&mut off);
+    assert!(parallel < 1.0 && perspective > 2.0, "{parallel} and {perspective}");
+}
+
 #[test]
 fn the_views_picture_is_copied_as_an_image() {
     let mut window = Window::open();
     window.settle();
-    let copied = RefCell::new(None);
-    // It is in one frame's output.
-    let context = window.harness.ctx.clone();
-    window.harness.state_mut().perform(Command::CopyPicture, &context);
-    window.wait("the picture", |window| {
-        for command in &window.harness.output().platform_output.commands {
-            if let OutputCommand::CopyImage(image) = command {
-                *copied.borrow_mut() = Some(image.clone());
-            }
-        }
-        copied.borrow().is_some()
-    });
-    let image = copied.into_inner().expect("it was copied");
+    let image = window.copied_picture();
     assert!(window.shows(&format!("Copied the picture, {} × {} pixels", image.size[0], image.size[1])));
     assert!(image.size[0] > 300 && image.size[1] > 300, "{:?}", image.size);
     assert!(image.pixels.iter().any(|pixel| *pixel != image.pixels[0]), "clouds and sky");

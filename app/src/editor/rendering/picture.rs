@@ -15,6 +15,7 @@ use crate::saving::{SaveError, check_unused};
 use crate::storage::{Over, PictureSettings, StorageError, Together};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Change;
+use cloudwright_core::draw_list::Hidden;
 use cloudwright_core::method;
 use cloudwright_core::rules::Rasterizer;
 use cloudwright_core::scene::{Camera, CameraId, Scene};
@@ -47,8 +48,8 @@ struct Request {
     scene: Arc<Scene>,
     beside: Beside,
     file: Option<PathBuf>,
-    /// By its id; or where the view is.
-    eye: Result<CameraId, Camera>,
+    /// By its id; or where the view is, with what can't be seen from there.
+    eye: Result<CameraId, (Camera, Hidden)>,
     moment: Moment,
     painting: Painting,
     kind: PictureKind,
@@ -100,14 +101,15 @@ fn carry_out(request: Request, watch: &Watch) -> Result<Rendered, Failed> {
     // Progress is the picture's.
     let of_clouds = Watch::cancelled_by(watch.cancelled());
     let derived = nothing.plan(&scene, &Change::everything()).carry_out(&of_clouds).ok_or(NoPicture::Stopped)?;
-    let eye = match &eye {
-        Ok(id) => StillEye::Saved(scene.cameras.with_id(*id).ok_or(Failed::NoCamera)?),
-        Err(camera) => StillEye::Free(camera),
+    let all = Hidden::default();
+    let (eye, hidden) = match &eye {
+        Ok(id) => (StillEye::Saved(scene.cameras.with_id(*id).ok_or(Failed::NoCamera)?), &all),
+        Err((camera, hidden)) => (StillEye::Free(camera), hidden),
     };
     let told = Told::default();
     let tell = |line: &str| told.tell(line);
     let mut painter = Painter::new(&painting, rules, &tell).map_err(NoPicture::from)?;
-    let still = Still { scene: &scene, derived: &derived, beside: &beside, eye, moment, size };
+    let still = Still { scene: &scene, derived: &derived, beside: &beside, eye, moment, size, hidden };
     let bytes = still.file(&mut painter, kind, in_layers, watch)?;
     drop(painter);
     let mut files = Together::default();
@@ -189,7 +191,7 @@ impl Editor {
             scene: Arc::new(self.session.scene().clone()),
             beside,
             file: self.session.path().map(PathBuf::from),
-            eye: asked.camera.ok_or_else(|| self.viewport.camera().clone()),
+            eye: asked.camera.ok_or_else(|| self.viewport.picture_eye()),
             moment: Moment { clock_s: self.clock.time_s(), time_h: self.time_play.time_h() },
             painting: Painting {
                 // Layers are drawn on the CPU.
