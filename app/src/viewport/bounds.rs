@@ -24,6 +24,12 @@ pub(super) fn bounds(selection: &Selection, session: &Session, clock_s: f64) -> 
     Some((center, radius))
 }
 
+/// The middles of what a selection fills.
+pub(super) fn middles(selection: &Selection, session: &Session, clock_s: f64) -> Vec<DVec3> {
+    let now = Now { session, clock_s, clouds: session.derived().clouds_at(clock_s, WeatherRules::default()) };
+    selection.items().iter().flat_map(|item| now.spheres(*item, selection)).map(|(center, _)| center).collect()
+}
+
 /// What a view that turns about `pivot` looks at, as a sphere: the selection, or else the nearest cloud in the picture's
 /// middle. None where there is nothing, or `pivot` lies in it, or in any cloud, already.
 pub(super) fn looked_at(

@@ -4,6 +4,7 @@
 //! [`picture`], which draws off the frame; boxes, marks and handles are painted over it at once. The primary button
 //! belongs to the tool, the middle one turns and moves the view ([`steer`]), the right one flies ([`fly_control`]).
 
+mod beside;
 mod bounds;
 mod box_tool;
 mod cameras;

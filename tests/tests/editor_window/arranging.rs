@@ -203,3 +203,36 @@ fn the_history_leads_anywhere() {
     window.press("Redo");
     assert_eq!(window.file(), states[1], "what was jumped over can still be redone");
 }
+
+/// Wherever in the picture a cloud stands and from wherever it is seen, its copy is in the picture too, and beside it.
+#[test]
+fn a_copy_is_in_sight_wherever_the_cloud_is() {
+    let mut tried = 0;
+    for (z, heading_deg) in [(3200.0, 0.0), (3200.0, -16.0), (3200.0, 16.0), (-3200.0, 180.0), (-3200.0, 196.0)] {
+        let mut scene = Window::open().scene().clone();
+        (scene.cameras[0].position.z, scene.cameras[0].heading_deg) = (z, heading_deg);
+        let (mut window, _folder) = crate::outline::with_scene(&scene);
+        let start = window.scene().clouds[0].clone();
+        let of_start = window.on_screen(window.middle_of(&start));
+        if !window.viewport().contains(of_start) {
+            continue;
+        }
+        tried += 1;
+        let boxes = Item::Box(start.model, window.scene().models[0].boxes[1].id);
+        for command in [Command::Duplicate, Command::DuplicateOwn] {
+            window.select([Item::Cloud(start.id)]);
+            window.command(command);
+            let copy = window.scene().clouds.last().expect("a copy").clone();
+            let at = window.on_screen(window.middle_of(&copy));
+            assert!(window.viewport().contains(at), "{command:?} from {z} at {heading_deg}°: {at}");
+            assert!(copy.position.distance(start.position) > 300.0, "{command:?}: beside it");
+            window.command(Command::Undo);
+        }
+        window.select([boxes]);
+        window.command(Command::Duplicate);
+        let copy = window.primary_box();
+        let at = window.on_screen(start.position + copy.center);
+        assert!(window.viewport().contains(at), "a box from {z} at {heading_deg}°: {at}");
+    }
+    assert!(tried >= 4, "{tried}");
+}

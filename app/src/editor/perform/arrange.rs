@@ -9,7 +9,9 @@ use crate::state::{Item, Selection, box_of};
 use cloudwright_core::arrange::duplicate::{self, Copy};
 use cloudwright_core::arrange::mirror::{self, Axis};
 use cloudwright_core::arrange::sprites::SpriteId;
-use cloudwright_core::arrange::{Arrangement, Refusal, delete, fill, folders, join, rename, split, sprites};
+use cloudwright_core::arrange::{
+    Arrangement, ModelSpace, Refusal, delete, fill, folders, join, rename, split, sprites,
+};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::random;
 use cloudwright_core::scene::{BoxId, Cloud, CloudBox, CloudId, CloudModel, Folder, FolderId, ModelId};
@@ -51,9 +53,7 @@ impl Editor {
         let arrangement = match selection.primary() {
             Some(Item::Box(model, _)) => {
                 let ids = boxes_of(selection, model);
-                let boxes = ids.iter().filter_map(|id| box_of(scene, model, *id));
-                let width = width(boxes.map(|each| (each.center.x, each.size.x * 0.5)));
-                duplicate::boxes(scene, model, &ids, DVec3::X * width)
+                duplicate::boxes(scene, model, &ids, self.beside_boxes(model, &ids))
             }
             Some(Item::Cloud(_)) => self.duplicated_clouds(Copy::Linked),
             Some(Item::Folder(_)) => {
@@ -76,18 +76,34 @@ impl Editor {
         self.arrange(Command::DuplicateOwn, arrangement);
     }
 
-    /// Copies of the selected clouds, to the east of them.
+    /// Copies of the selected clouds, beside them.
     fn duplicated_clouds(&self, copy: Copy) -> Arrangement {
         let ids: Vec<CloudId> = self.view.selection.clouds().collect();
         duplicate::clouds(self.session.scene(), &ids, self.aside(&ids), copy)
     }
 
-    /// How far to the east of those clouds copies of them go, metres.
+    /// Where copies of those clouds go, metres from them.
     fn aside(&self, ids: &[CloudId]) -> DVec3 {
-        let placed = ids.iter().filter_map(|id| self.session.placed(*id));
+        let placed: Vec<_> = ids.iter().filter_map(|id| self.session.placed(*id)).collect();
         // A cloud is narrower than the sphere that holds it.
-        let aside = width(placed.map(|cloud| (cloud.origin.x, f64::from(cloud.reach)))) * 0.75;
-        DVec3::X * if aside > 0.0 { aside.round() } else { 500.0 }
+        let sides =
+            [0, 2].map(|axis| width(placed.iter().map(|cloud| (cloud.origin[axis], f64::from(cloud.reach)))) * 0.75);
+        let [x, z] = sides.map(|side| if side > 0.0 { side.round() } else { 500.0 });
+        let things = Selection::of(ids.iter().map(|id| Item::Cloud(*id)));
+        let shown = self.viewport.places(&things, &self.session, self.clock.time_s());
+        self.viewport.beside(&shown, DVec3::new(x, 0.0, z), |by| by).round()
+    }
+
+    /// Where copies of a model's boxes go, metres from them in its space.
+    fn beside_boxes(&self, model: ModelId, ids: &[BoxId]) -> DVec3 {
+        let scene = self.session.scene();
+        let boxes: Vec<_> = ids.iter().filter_map(|id| box_of(scene, model, *id)).collect();
+        let [x, z] = [0, 2].map(|axis| width(boxes.iter().map(|each| (each.center[axis], each.size[axis] * 0.5))));
+        let Some(cloud) = self.view.selection.cloud(scene) else { return DVec3::X * x };
+        let space = ModelSpace::of(cloud);
+        let things = Selection::of(ids.iter().map(|id| Item::Box(model, *id))).through(cloud.id);
+        let shown = self.viewport.places(&things, &self.session, self.clock.time_s());
+        self.viewport.beside(&shown, DVec3::new(x, 0.0, z), |by| space.turn * by * space.scale)
     }
 
     pub(super) fn make_own(&mut self) {
