@@ -9,7 +9,7 @@ use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::problem::Problem;
 use cloudwright_core::scene::Scene;
 use cloudwright_core::sprites::Atlas;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Component, Path};
 use std::sync::Arc;
 
@@ -23,6 +23,8 @@ pub struct Beside {
     atlas: Option<Arc<Atlas>>,
     meshes: Meshes,
     names: Names,
+    /// What is wrong with files, by their names.
+    faults: BTreeMap<String, Problem>,
 }
 
 /// The names of a scene's files: the atlas, and the models of aircraft and props.
@@ -38,10 +40,15 @@ impl Beside {
     pub fn read(scene: &Scene, scene_path: Option<&Path>) -> (Self, Vec<Problem>) {
         let mut beside = Self { names: Names::of(scene), ..Self::default() };
         let mut problems = Vec::new();
+        let mut fault = |faults: &mut BTreeMap<_, _>, name: &String, place: String, (message, hint): Trouble| {
+            let problem = Problem::error(place, format!("“{name}”: {message}"), hint);
+            problems.push(problem.clone());
+            faults.insert(name.clone(), problem);
+        };
         if let Some(name) = &beside.names.atlas {
             match atlas(name, scene_path) {
                 Ok(atlas) => beside.atlas = Some(Arc::new(atlas)),
-                Err((message, hint)) => problems.push(Problem::error("atlas", format!("“{name}”: {message}"), hint)),
+                Err(trouble) => fault(&mut beside.faults, name, "atlas".into(), trouble),
             }
         }
         for name in &beside.names.models {
@@ -50,7 +57,7 @@ impl Beside {
                 .and_then(|bytes| model_glb::read(&bytes).map_err(|error| (error.to_string(), hint)))
             {
                 Ok(mesh) => beside.meshes.insert(name.clone(), mesh),
-                Err((message, hint)) => problems.push(Problem::error(place, format!("“{name}”: {message}"), hint)),
+                Err(trouble) => fault(&mut beside.faults, name, place, trouble),
             }
         }
         (beside, problems)
@@ -59,6 +66,11 @@ impl Beside {
     /// Whether it is what `scene` names.
     pub(crate) fn is_of(&self, scene: &Scene) -> bool {
         self.names == Names::of(scene)
+    }
+
+    /// What is wrong with the file of that name.
+    pub(crate) fn fault(&self, name: &str) -> Option<&Problem> {
+        self.faults.get(name)
     }
 
     /// The sheet to draw with.

@@ -140,11 +140,10 @@ impl Editor {
         if names.is_empty() {
             return;
         }
-        let problems = self.session.load_beside();
+        self.session.load_beside();
         let from = self.copied_from.as_ref().filter(|(copied, _)| copied == text).map(|(_, folder)| folder.clone());
         for name in names {
-            if let Some(problem) = problems.iter().find(|problem| problem.message.starts_with(&format!("“{name}”")))
-            {
+            if let Some(problem) = self.session.beside().fault(name).cloned() {
                 let was = from
                     .as_ref()
                     .map_or_else(String::new, |folder| format!(". It was copied from {}", folder.display()));
