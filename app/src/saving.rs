@@ -1,9 +1,9 @@
 //! A scene into its file: what the command line and the editor save, the twin of [`crate::opening`].
 //!
 //! A scene names its atlas and models by what lies beside its file. One that is saved into another folder takes them
-//! along: they are copied, for the old file still needs them too.
+//! along: they are copied, for the old file still needs them too. So are models that were pasted from another scene.
 
-use crate::opening::{self, Named};
+use crate::opening::{self, Elsewhere, Named};
 use crate::storage::{self, FileId, Folder, Over, Stamp, StorageError};
 use cloudwright_core::formats::scene_file;
 use cloudwright_core::scene::Scene;
@@ -68,6 +68,29 @@ pub(crate) struct Copy {
 /// If it can't be written, or another file has the name of one to copy; what was there before is then untouched.
 pub fn save(scene: &Scene, from: Option<&Path>, path: &Path, over: Over) -> Result<Saved, SaveError> {
     save_copying(scene, to_copy(scene, from, path)?, path, over)
+}
+
+/// As [`save`], where models that don't lie beside `from` may lie `elsewhere`.
+///
+/// # Errors
+/// As [`save`].
+pub(crate) fn save_bringing(
+    scene: &Scene,
+    from: Option<&Path>,
+    elsewhere: &Elsewhere,
+    path: &Path,
+    over: Over,
+) -> Result<Saved, SaveError> {
+    let is_there = |name: &str| from.is_some_and(|from| FileId::of(&from.with_file_name(name)).is_some());
+    let other = |named: &Named| elsewhere.get(&named.name).filter(|_| !is_there(&named.name));
+    let (came, others): (Vec<Named>, Vec<Named>) =
+        opening::named(scene).into_iter().partition(|named| other(named).is_some());
+    let mut copies = missing(others, from, path)?;
+    for named in came {
+        let beside = elsewhere.get(&named.name).map(PathBuf::as_path);
+        copies.extend(missing(vec![named], beside, path)?);
+    }
+    save_copying(scene, copies, path, over)
 }
 
 /// As [`save`], where `file`, which `scene` names, came into it from wherever it lies.

@@ -29,6 +29,7 @@ mod rendering;
 mod report;
 mod save_flow;
 mod script;
+mod start;
 mod start_page;
 mod thinning;
 mod time_play;
@@ -40,9 +41,11 @@ mod weather_report;
 mod window;
 
 pub use files::{Ask, FileDialogs, NativeDialogs, Reply};
+pub use start::Start;
 pub use window::open_window;
 
 use crate::command::{self, Command, Menu};
+use crate::opening::Elsewhere;
 use crate::panel::{self, Manual, Palette, Panel};
 use crate::renderer::RendererChoice;
 use crate::starter::starter_scene;
@@ -55,7 +58,6 @@ use crate::visible;
 use cloudwright_core::scene::{Camera, CameraId, ColorLevels};
 use dialogs::Dialogs;
 use disk::Disk;
-use eframe::egui_wgpu::RenderState;
 use exchange::{Arriving, Leaving};
 use files::Waiting;
 use intent::Intent;
@@ -66,7 +68,6 @@ use recording::Recording;
 use rendering::{Copying, Filming, Rendering};
 use script::Writing;
 use std::cell::RefCell;
-use std::path::PathBuf;
 use std::time::Duration;
 use thinning::Thinning;
 use toasts::Toasts;
@@ -101,8 +102,8 @@ pub struct Editor {
     /// The camera that was looked through last by the key.
     last_camera: Option<CameraId>,
     copied_levels: Option<ColorLevels>,
-    /// What was copied last, and the folder that the files which it names lie in.
-    copied_from: Option<(String, PathBuf)>,
+    /// What was copied last, and where the models that it names lie.
+    copied_from: Option<(String, Elsewhere)>,
     file_dialogs: Box<dyn FileDialogs>,
     disk: Disk,
     waiting: Option<Waiting>,
@@ -121,22 +122,6 @@ pub struct Editor {
     previewed: bool,
     quitting: bool,
     title: String,
-}
-
-/// What an editor starts with.
-pub struct Start {
-    /// A scene to open; a new one if there is none. Problems of the file are shown in the window.
-    pub scene: Option<PathBuf>,
-    /// Whether recent scenes and skies to begin with are offered.
-    pub start_page: bool,
-    /// What draws the viewport.
-    pub renderer: RendererChoice,
-    /// The window's device.
-    pub device: Option<RenderState>,
-    /// How file names are asked for.
-    pub file_dialogs: Box<dyn FileDialogs>,
-    /// Where settings and unsaved work are kept; none to remember nothing.
-    pub folders: Option<Folders>,
 }
 
 impl Editor {

@@ -60,10 +60,11 @@ impl Editor {
         self.name_by(path);
         let (scene, path) = (self.session.scene().clone(), path.to_path_buf());
         let from = self.session.path().map(PathBuf::from);
+        let elsewhere = self.session.elsewhere().clone();
         let mark = self.session.document().mark();
         self.disk.saving = true;
         self.disk.file_jobs.ask(move || {
-            let outcome = saving::save(&scene, from.as_deref(), &path, over);
+            let outcome = saving::save_bringing(&scene, from.as_deref(), &elsewhere, &path, over);
             Done::Saved { path, mark, outcome }
         });
         context.request_repaint();

@@ -10,11 +10,14 @@ use cloudwright_core::problem::Problem;
 use cloudwright_core::scene::Scene;
 use cloudwright_core::sprites::Atlas;
 use std::collections::{BTreeMap, BTreeSet};
-use std::path::{Component, Path};
+use std::path::{Component, Path, PathBuf};
 use std::sync::Arc;
 
 /// No sheet of 512 × 512 pixels is larger than this, bytes.
 const MAX_ATLAS_BYTES: usize = 16 << 20;
+
+/// Of models that were pasted: by their names, the scene file that they lie beside.
+pub(crate) type Elsewhere = BTreeMap<String, PathBuf>;
 
 /// What lies beside a scene's file and is drawn with it.
 #[derive(Debug, Clone, Default)]
@@ -38,6 +41,11 @@ impl Beside {
     /// What `scene` names, read from beside `scene_path`, and what is wrong with it: a file that isn't there, lies
     /// elsewhere, can't be read or is of another kind.
     pub fn read(scene: &Scene, scene_path: Option<&Path>) -> (Self, Vec<Problem>) {
+        Self::read_with(scene, scene_path, &Elsewhere::new())
+    }
+
+    /// The same, where models that don't lie there may lie elsewhere.
+    pub(crate) fn read_with(scene: &Scene, scene_path: Option<&Path>, elsewhere: &Elsewhere) -> (Self, Vec<Problem>) {
         let mut beside = Self { names: Names::of(scene), ..Self::default() };
         let mut problems = Vec::new();
         let mut fault = |faults: &mut BTreeMap<_, _>, name: &String, place: String, (message, hint): Trouble| {
@@ -53,7 +61,10 @@ impl Beside {
         }
         for name in &beside.names.models {
             let (place, hint) = asker(name, scene);
-            match file(name, scene_path, model_glb::MAX_BYTES)
+            let other = elsewhere.get(name).map(PathBuf::as_path);
+            let bytes = file(name, scene_path, model_glb::MAX_BYTES);
+            match bytes
+                .or_else(|trouble| file(name, other, model_glb::MAX_BYTES).map_err(|_| trouble))
                 .and_then(|bytes| model_glb::read(&bytes).map_err(|error| (error.to_string(), hint)))
             {
                 Ok(mesh) => beside.meshes.insert(name.clone(), mesh),
@@ -97,6 +108,11 @@ pub(crate) fn named(scene: &Scene) -> Vec<Named> {
     let atlas = atlas.map(|name| Named { what: "atlas", name, max_bytes: MAX_ATLAS_BYTES });
     let model = |name| Named { what: "model", name, max_bytes: model_glb::MAX_BYTES };
     atlas.into_iter().chain(models.into_iter().map(model)).filter(|named| is_beside(&named.name)).collect()
+}
+
+/// The names of all models that `scene` has of its own.
+pub(crate) fn models_of(scene: &Scene) -> BTreeSet<String> {
+    Names::of(scene).models
 }
 
 impl Names {

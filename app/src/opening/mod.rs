@@ -5,7 +5,7 @@
 mod beside;
 
 pub use beside::Beside;
-pub(crate) use beside::{Named, named};
+pub(crate) use beside::{Elsewhere, Named, models_of, named};
 
 use crate::storage::{self, StorageError};
 use crate::visible;

@@ -9,7 +9,7 @@
 
 use super::baking::Baking;
 use super::regeneration::{Regeneration, Request};
-use crate::opening::Beside;
+use crate::opening::{Beside, Elsewhere};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::{Change, Document, Edit, EditError, ListEdit, Past, SavedMark};
 use cloudwright_core::problem::{self, Problem};
@@ -30,6 +30,8 @@ pub struct Session {
     document: Document,
     path: Option<PathBuf>,
     beside: Beside,
+    /// Where models lie that were pasted and are not beside the file.
+    elsewhere: Elsewhere,
     derived: Arc<Derived>,
     /// The scene as it is drawn, and last was without errors: workers read it while the document goes on.
     shown: Arc<Scene>,
@@ -84,6 +86,7 @@ impl Session {
             document,
             path,
             beside: Beside::default(),
+            elsewhere: Elsewhere::new(),
             stale: Change::everything(),
             steps: 0,
             tells: false,
@@ -145,6 +148,16 @@ impl Session {
     /// What lies beside the scene's file.
     pub(crate) fn beside(&self) -> &Beside {
         &self.beside
+    }
+
+    /// Where pasted models lie until the scene is saved, which copies them.
+    pub(crate) fn elsewhere(&self) -> &Elsewhere {
+        &self.elsewhere
+    }
+
+    /// Models that are pasted lie there.
+    pub(crate) fn expect_elsewhere(&mut self, models: Elsewhere) {
+        self.elsewhere.extend(models);
     }
 
     /// Scene, clouds and what lies beside them to draw from, shared.
@@ -304,7 +317,7 @@ impl Session {
 
     /// Reads the files that the scene names; what is built in stands in for one with a problem.
     pub(crate) fn load_beside(&mut self) -> Vec<Problem> {
-        let (beside, problems) = Beside::read(self.scene(), self.path());
+        let (beside, problems) = Beside::read_with(self.scene(), self.path(), &self.elsewhere);
         self.beside = beside;
         self.revision = Version::fresh();
         problems

@@ -2,12 +2,14 @@
 
 use crate::Window;
 use cloudwright::command::Command;
+use cloudwright::editor::Reply;
 use cloudwright::state::Item;
 use cloudwright_core::arrange::clip;
-use cloudwright_core::formats::scene_clip;
+use cloudwright_core::formats::{scene_clip, scene_file};
 use cloudwright_core::scene::{Prop, PropId, Scene};
 use cloudwright_tests::small_scenes::crowd;
 use egui::{ColorImage, Event, Key, Modifiers, OutputCommand};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 impl Window {
@@ -114,10 +116,10 @@ fn clouds_come_into_another_scene() {
     other.command(Command::Reroll);
     other.paste(&text);
     assert_eq!(other.counts()[..2], [2, 3], "it is another one now");
-}
-
     other.was_told("Paste 1 cloud and 1 model");
     assert!(other.shows("Pasted 1 cloud and 1 model"));
+}
+
 #[test]
 fn boxes_need_a_model() {
     let mut window = opened();
@@ -189,6 +191,55 @@ fn a_pasted_prop_without_its_file_is_told_with_where_that_was() {
     window.paste(&text);
     assert_eq!(window.scene().props.len(), 2);
     assert!(window.shows("“hill.glb”") && window.shows("copied from"));
+}
+
+/// A scene with one prop, whose model lies beside it, in a folder of that name.
+fn hill_in(home: &Path, name: &str, model: &[u8]) -> PathBuf {
+    let folder = home.join(name);
+    std::fs::create_dir(&folder).expect("writable");
+    std::fs::write(folder.join("hill.glb"), model).expect("writable");
+    let mut scene = crowd(1);
+    scene.props.push(Prop::new(PropId::new(&mut scene.next_id), "hill.glb", glam::DVec3::ZERO));
+    let path = folder.join("scene.cloudscene");
+    std::fs::write(&path, scene_file::write(&scene).expect("finite")).expect("writable");
+    path
+}
+
+#[test]
+fn a_pasted_props_model_is_shown_at_once_and_saved_along() {
+    const MODEL: &[u8] = include_bytes!("../../../assets/models/aircraft.glb");
+    let home = tempfile::tempdir().expect("a folder");
+    let from = hill_in(home.path(), "from", MODEL);
+    let mut window = opened();
+    let copy = |window: &mut Window| {
+        window.harness.state_mut().open_path(&from);
+        window.settle();
+        window.select([Item::Prop(window.scene().props[0].id)]);
+        window.clipped(Event::Copy)
+    };
+    let text = copy(&mut window);
+    // Into a scene without a folder.
+    window.command(Command::New);
+    window.press("Clear sky");
+    window.paste(&text);
+    assert!(window.shows("Pasted 1 prop") && !window.shows("hill.glb”"), "it is found where it was copied");
+    let to = home.path().join("to");
+    std::fs::create_dir(&to).expect("writable");
+    window.answer(Reply::Path(to.join("sky.cloudscene")));
+    window.keys(Modifiers::COMMAND, Key::S);
+    assert!(window.shows("copied beside it: hill.glb"));
+    assert!(std::fs::read(to.join("hill.glb")).expect("copied") == MODEL);
+    // Into one that has another file of that name.
+    let text = copy(&mut window);
+    let mut other = MODEL.to_vec();
+    other.push(0);
+    let path = hill_in(home.path(), "other", &other);
+    window.harness.state_mut().open_path(&path);
+    window.settle();
+    window.paste(&text);
+    assert!(window.shows("“hill.glb” beside this scene is another file"));
+    window.keys(Modifiers::COMMAND, Key::S);
+    assert!(std::fs::read(path.with_file_name("hill.glb")).expect("there") == other, "it stays");
 }
 
 #[test]

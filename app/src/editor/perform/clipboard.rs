@@ -5,15 +5,16 @@
 
 use crate::command::{Command, Pasted};
 use crate::editor::Editor;
+use crate::opening::{self, Elsewhere};
 use crate::state::Item;
+use crate::storage;
 use crate::units::counted;
 use cloudwright_core::arrange::clip::{self, Clip, Holds};
 use cloudwright_core::document::{Edit, ListEdit};
-use cloudwright_core::formats::scene_clip;
-use cloudwright_core::scene::Scene;
+use cloudwright_core::formats::{model_glb, scene_clip};
 use egui::{Event, Id, ViewportCommand};
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 impl Editor {
     /// Whether the selection is something that can stand on the clipboard.
@@ -70,8 +71,9 @@ impl Editor {
     fn put_on_clipboard(&mut self, clip: &Clip, context: &egui::Context) -> bool {
         match scene_clip::write(clip) {
             Ok(text) => {
-                let folder = self.session.path().and_then(Path::parent);
-                self.copied_from = folder.map(|folder| (text.clone(), folder.into()));
+                let names = opening::models_of(&clip.scene);
+                let lie = names.into_iter().filter_map(|name| Some((name.clone(), self.scene_file_by(&name)?)));
+                self.copied_from = Some((text.clone(), lie.collect()));
                 context.copy_text(text);
             }
             Err(error) => {
@@ -121,32 +123,55 @@ impl Editor {
         }
         let scene = self.session.scene();
         let model = self.view.selection.model(scene).map(|model| model.id);
-        match clip::pasted(scene, &clip, model) {
-            Ok(arrangement) => {
-                let what = what_is_new(&arrangement.edits);
-                if self.arrange_as(&format!("{} {what}", Command::Paste.row().label()), arrangement) {
-                    self.tell(format!("Pasted {what}"));
-                }
-            }
-            Err(refusal) => self.tell_error(refusal.to_string()),
+        let arrangement = match clip::pasted(scene, &clip, model) {
+            Ok(arrangement) => arrangement,
+            Err(refusal) => return self.tell_error(refusal.to_string()),
+        };
+        let names = opening::models_of(&clip.scene);
+        let copied = self.copied_from.as_ref().filter(|(copied, _)| *copied == text);
+        let from = copied.map(|(_, from)| from.clone()).unwrap_or_default();
+        let others = from.iter().filter(|(name, from)| self.is_another(name, from)).map(|(name, _)| name.clone());
+        let others: Vec<String> = others.collect();
+        self.session.expect_elsewhere(from.clone());
+        let what = what_is_new(&arrangement.edits);
+        if !self.arrange_as(&format!("{} {what}", Command::Paste.row().label()), arrangement) {
+            return;
         }
-        self.tell_missing_models(&clip.scene, &text);
+        self.tell(format!("Pasted {what}"));
+        for name in others {
+            let which = "is another file than the one that was copied: this scene's is shown";
+            self.tell_error(format!("“{name}” beside this scene {which}"));
+        }
+        self.tell_missing_models(&names, &from);
     }
 
-    /// Which files of pasted props and aircraft don't lie beside this scene, and where they did beside the other.
-    fn tell_missing_models(&mut self, pasted: &Scene, text: &str) {
-        let flying = pasted.aircraft.iter().filter_map(|aircraft| aircraft.model.as_ref());
-        let names: BTreeSet<&String> = flying.chain(pasted.props.iter().map(|prop| &prop.model)).collect();
+    /// The scene file that a model of this scene lies beside, or should.
+    fn scene_file_by(&self, name: &str) -> Option<PathBuf> {
+        let file = self.session.path();
+        let is_there = file.is_some_and(|file| storage::is_there(&file.with_file_name(name)));
+        let elsewhere = self.session.elsewhere().get(name).filter(|_| !is_there);
+        elsewhere.cloned().or_else(|| file.map(PathBuf::from))
+    }
+
+    /// Whether both files of that name are there, beside this scene and beside `other`, and are not the same.
+    fn is_another(&self, name: &str, other: &Path) -> bool {
+        let Some(mine) = self.scene_file_by(name) else { return false };
+        let read = |scene: &Path| storage::read(&scene.with_file_name(name), model_glb::MAX_BYTES).ok();
+        mine.as_path() != other && read(&mine).zip(read(other)).is_some_and(|(mine, other)| mine != other)
+    }
+
+    /// Which files of pasted props and aircraft don't lie beside this scene, and where they did beside the other. Those
+    /// that are there are copied when the scene is saved.
+    fn tell_missing_models(&mut self, names: &BTreeSet<String>, from: &Elsewhere) {
         if names.is_empty() {
             return;
         }
         self.session.load_beside();
-        let from = self.copied_from.as_ref().filter(|(copied, _)| copied == text).map(|(_, folder)| folder.clone());
         for name in names {
             if let Some(problem) = self.session.beside().fault(name).cloned() {
-                let was = from
-                    .as_ref()
-                    .map_or_else(String::new, |folder| format!(". It was copied from {}", folder.display()));
+                let folder = from.get(name).and_then(|file| file.parent());
+                let was =
+                    folder.map_or_else(String::new, |folder| format!(". It was copied from {}", folder.display()));
                 self.tell_error(format!("{} ({}){was}", problem.message, problem.hint));
             }
         }
