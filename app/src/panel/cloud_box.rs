@@ -48,12 +48,17 @@ pub(super) fn fields_of(
         _ => Some(Value::Whole(each.id.0)),
     };
     let fields = || Fields::of(&alone, reading).inheriting(inherited);
+    // What is changed most comes first: the place is rather changed by its handles.
+    section(ui, "Sprites", |ui| {
+        fill_fields(ui, boxes, actions);
+        fields().show(ui, "Change sprites", actions, |fields, ui| fields.rows(ui, BOX_SPRITES), replace);
+        let row = Command::FitSprites.row();
+        if ui.button(row.name).on_hover_text(row.help).clicked() {
+            actions.push(Action::Command(row.command));
+        }
+    });
     section(ui, "Place and size", |ui| {
         fields().show(ui, "Change box", actions, |fields, ui| fields.rows(ui, BOX_PLACE), replace_resized);
-    });
-    section(ui, "Sprites", |ui| {
-        fields().show(ui, "Change sprites", actions, |fields, ui| fields.rows(ui, BOX_SPRITES), replace);
-        fill_fields(ui, boxes, actions);
     });
     let placed = reading.view.selection.cloud(reading.session.scene());
     match placed.and_then(|cloud| reading.session.placed(cloud.id)) {
@@ -123,8 +128,4 @@ fn fill_fields(ui: &mut Ui, boxes: &[ModelBox<'_>], actions: &mut Vec<Action>) {
             ui.end_row();
         }
     });
-    let row = Command::FitSprites.row();
-    if ui.button(row.name).on_hover_text(row.help).clicked() {
-        actions.push(Action::Command(row.command));
-    }
 }

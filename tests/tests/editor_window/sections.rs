@@ -1,6 +1,7 @@
 //! Parts of panels are folded away, stay so for other things and over starts, and unfold again.
 
 use crate::Window;
+use cloudwright::command::Command;
 use cloudwright::state::Item;
 use cloudwright::storage::Folders;
 use egui::accesskit::Role;
@@ -53,4 +54,30 @@ fn a_cloud_has_parts_too() {
         window.harness.run_steps(8);
         assert!(!window.has_field(field), "{part} is folded");
     }
+}
+
+/// In a window of 1600 × 1000 nothing that is changed often has to be scrolled to.
+#[test]
+fn what_is_changed_most_is_in_sight() {
+    let mut window = Window::open_sized(None, [1600.0, 1000.0]);
+    window.settle();
+    let model = window.scene().models[0].clone();
+    window.select([Item::Box(model.id, model.boxes[0].id)]);
+    let below = window.node(Role::Button, "Help on Levels").rect().top();
+    for field in ["Density", "Sprite size", "Sprites", "Width from", "Height to"] {
+        let field = window.node(Role::SpinButton, field).rect();
+        assert!(field.bottom() < below, "{field} ends below {below}");
+    }
+    // Of a cloud that is drawn box by box.
+    for _ in 0..14 {
+        window.command(Command::AddBox);
+    }
+    window.command(Command::GroupsPanel);
+    let bottom = 1000.0 - 32.0;
+    for field in ["Towards the sun", "Across", "Away from the sun"] {
+        let field = window.node(Role::SpinButton, field).rect();
+        assert!(field.bottom() < bottom, "{field} ends below {bottom}");
+    }
+    let rows = window.harness.query_all_by_label_contains("Shading of").count();
+    assert!(rows >= 14, "{rows}: the list scrolls by itself");
 }

@@ -14,6 +14,9 @@ use cloudwright_core::sprites::GroupKey;
 use egui::Ui;
 use glam::DVec3;
 
+/// Of the light's properties, the three shares come first.
+const SHARES: usize = 3;
+
 /// Whose light it is.
 #[derive(Debug, Clone, PartialEq)]
 enum Owner {
@@ -102,6 +105,9 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
     let shown = format!("Light of {title}{more}");
     section_called(ui, "Light", &shown, |ui| {
         ui.push_id(("light", model.id), |ui| {
+            // The numbers first: they are in sight where the curve is not.
+            let numbers = |fields: &mut Fields<'_, Lit>, ui: &mut Ui| fields.rows(ui, &Lit::LIGHT[..SHARES]);
+            owned().show(ui, "Shape light", actions, numbers, |_, lit| lit.edit());
             if let Some((at, share)) = curve::show(ui, &before, tint)
                 && let Some(row) = curve::row(at)
             {
@@ -122,7 +128,7 @@ pub(super) fn show(ui: &mut Ui, model: &CloudModel, reading: &Reading<'_>, actio
                 }
                 lit.edit()
             };
-            owned().show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, Lit::LIGHT), edit);
+            owned().show(ui, "Change shading", actions, |fields, ui| fields.rows(ui, &Lit::LIGHT[SHARES..]), edit);
         });
     });
 }

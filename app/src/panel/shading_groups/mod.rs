@@ -12,6 +12,11 @@ use crate::theme;
 use crate::widget::name_it;
 use egui::{ScrollArea, Ui};
 
+/// A list that scrolls by itself shows so many groups, where there is room for them and for the light's numbers.
+const GROUPS: f32 = 4.0;
+/// Title and numbers of the light, with what shows that there is more; and all of its rows, but for the curve.
+const ROWS_OF_LIGHT: [f32; 2] = [6.0, 9.0];
+
 /// The panel.
 pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let Some(model) = reading.view.selection.model(reading.session.scene()) else {
@@ -20,10 +25,21 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
     };
     buttons(ui, reading, actions);
     ui.add_space(theme::GAP * 0.5);
-    ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
-        list::show(ui, model, reading, actions);
-        light::show(ui, model, reading, actions);
-    });
+    // A long list scrolls by itself where there is room for both, so that the light stays in sight.
+    let row = ui.spacing().interact_size.y + ui.spacing().item_spacing.y;
+    let [least, all] = ROWS_OF_LIGHT.map(|rows| ui.available_height() - rows * row);
+    if least < GROUPS * row {
+        ScrollArea::vertical().auto_shrink(false).show(ui, |ui| {
+            list::show(ui, model, reading, actions);
+            light::show(ui, model, reading, actions);
+        });
+        return;
+    }
+    let most = (all - theme::CURVE_HEIGHT).max(GROUPS * row);
+    let list = ScrollArea::vertical().id_salt("groups").max_height(most).auto_shrink([false, true]);
+    list.show(ui, |ui| list::show(ui, model, reading, actions));
+    let light = ScrollArea::vertical().id_salt("light").auto_shrink(false);
+    light.show(ui, |ui| light::show(ui, model, reading, actions));
 }
 
 fn buttons(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
