@@ -13,6 +13,16 @@ pub fn counted(count: usize, one: &str, many: &str) -> String {
     format!("{count} {}", if count == 1 { one } else { many })
 }
 
+/// How long something will still take, of so many seconds: "1 h 20 min left".
+pub fn time_left(seconds: f64) -> String {
+    let (seconds, minutes) = (seconds.ceil(), (seconds / 60.0).ceil());
+    match minutes {
+        few if few <= 1.0 => format!("{seconds} s left"),
+        some if some < 60.0 => format!("{some} min left"),
+        many => format!("{} h {} min left", (many / 60.0).floor(), many % 60.0),
+    }
+}
+
 /// What altitudes and speeds are shown in.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]

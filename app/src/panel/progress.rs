@@ -1,8 +1,8 @@
 //! How far work off the frame has come, with a way to stop it: seen only when it takes a while.
 
 use crate::state::{Action, Session};
-use crate::theme;
-use egui::{Button, ProgressBar, Ui};
+use crate::widget::work_bar;
+use egui::{Button, Ui};
 use std::time::Duration;
 
 /// What is done sooner needs no bar.
@@ -15,10 +15,7 @@ pub(crate) fn progress(ui: &mut Ui, session: &Session, actions: &mut Vec<Action>
     if cancel.on_hover_text("Stops, and takes back the change that asked for it.").clicked() {
         actions.push(Action::CancelPending);
     }
-    let bar = ui.add(ProgressBar::new(pending.done).desired_width(theme::PROGRESS_WIDTH).show_percentage());
-    ui.ctx().accesskit_node_builder(bar.id, |node| {
-        node.set_label("Progress");
-        node.set_description(pending.what.clone());
-    });
+    let bar = work_bar(ui, "Progress", pending.done);
+    ui.ctx().accesskit_node_builder(bar.id, |node| node.set_description(pending.what.clone()));
     ui.label(pending.what);
 }

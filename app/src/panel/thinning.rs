@@ -1,9 +1,9 @@
 //! Asks how much a scene may change when sprites are dropped, and shows how far that has come.
 
 use crate::theme;
-use crate::widget::{fitted, number_field};
+use crate::widget::{fitted, number_field, work_bar};
 use cloudwright_core::property::Number;
-use egui::{Context, Grid, Id, Modal, ProgressBar, Ui};
+use egui::{Context, Grid, Id, Modal, Ui};
 
 /// The largest mean FLIP of any view.
 /// Before another one is chosen: hard to see.
@@ -63,8 +63,7 @@ fn buttons(ui: &mut Ui, done: Option<f32>) -> Option<ThinAnswer> {
     ui.horizontal(|ui| match done {
         Some(share) => {
             let stop = ui.button("Stop").clicked().then_some(ThinAnswer::Stop);
-            let bar = ui.add(ProgressBar::new(share).desired_width(theme::PROGRESS_WIDTH).show_percentage());
-            ui.ctx().accesskit_node_builder(bar.id, |node| node.set_label("Progress of thinning"));
+            work_bar(ui, "Progress of thinning", share);
             stop
         }
         None => {

@@ -10,6 +10,7 @@ mod markdown;
 mod offer;
 mod picture_choice;
 pub(crate) mod section;
+mod work_bar;
 
 pub(crate) use chosen_level::{LEVEL_STEP, choose_level, chosen_level};
 pub(crate) use fields::{
@@ -24,3 +25,4 @@ pub(crate) use offer::{context_menu, menu_line, offer};
 pub use picture_choice::{category_choice, preset_choice};
 pub(crate) use picture_choice::{picture_button, side_by_side, template_choice};
 pub(crate) use section::{section, section_called};
+pub(crate) use work_bar::work_bar;

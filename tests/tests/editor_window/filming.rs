@@ -151,3 +151,19 @@ fn a_film_that_is_stopped_or_refused_says_so() {
     window.press("Cancel");
     assert_eq!((window.file(), window.undo_name()), before, "a film changes nothing");
 }
+
+#[test]
+fn a_film_tells_how_long_it_will_still_take() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut window = flown(folder.path());
+    let path = window.scene().paths[0].name.clone();
+    window.ask_film([96, 54]);
+    window.choose("Film", &format!("Path {path}"));
+    window.choose("File", "Frames, PNG (.png)");
+    window.answer(Reply::Path(folder.path().join("frames")));
+    window.press("Render…");
+    window.wait("an estimate", |window| window.shows(" left"));
+    window.press("Stop");
+    window.wait("the question again", |window| window.shows("Stopped: the frames drawn so far"));
+    assert!(!window.shows(" left"));
+}

@@ -10,9 +10,9 @@ use crate::chart::front;
 use crate::chart::text::figure;
 use crate::state::{Action, ChartChange, Reading, WIDTHS_PX};
 use crate::theme;
-use crate::widget::{name_it, number_field, section};
+use crate::widget::{name_it, number_field, section, work_bar};
 use cloudwright_core::property::Number;
-use egui::{ComboBox, ProgressBar, ScrollArea, Ui};
+use egui::{ComboBox, ScrollArea, Ui};
 
 const TOLERANCE: Number = Number {
     label: "Good enough",
@@ -98,8 +98,7 @@ fn measure(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
             if ui.button("Stop").clicked() {
                 change(ChartChange::Stop);
             }
-            let bar = ui.add(ProgressBar::new(share).desired_width(theme::PROGRESS_WIDTH).show_percentage());
-            name_it(ui, &bar, "Progress of measuring");
+            work_bar(ui, "Progress of measuring", share);
         }
         None => {
             let button = ui.button("Measure").on_hover_text(

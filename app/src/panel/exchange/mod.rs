@@ -8,9 +8,9 @@ pub(crate) use arriving::{ArrivingForm, ask_arriving};
 pub(crate) use leaving::{LeavingChosen, LeavingForm, ask_leaving};
 
 use crate::theme;
-use crate::widget::{fitted, number_field};
+use crate::widget::{fitted, number_field, work_bar};
 use cloudwright_core::exchange::{Note, NoteKind, OptionKind, OptionRow, Options};
-use egui::{Button, Context, Grid, Id, Modal, ProgressBar, ScrollArea, Ui};
+use egui::{Button, Context, Grid, Id, Modal, ScrollArea, Ui};
 
 /// What is answered.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,8 +72,7 @@ fn buttons(ui: &mut Ui, stage: Stage<'_>, go: &str, can_go: bool) -> Option<Exch
     ui.horizontal(|ui| match stage {
         Stage::Working(share) => {
             let stop = ui.button("Stop").clicked().then_some(ExchangeAnswer::Stop);
-            let bar = ui.add(ProgressBar::new(share).desired_width(theme::PROGRESS_WIDTH).show_percentage());
-            ui.ctx().accesskit_node_builder(bar.id, |node| node.set_label(format!("Progress of {go}")));
+            work_bar(ui, &format!("Progress of {go}"), share);
             stop
         }
         Stage::Choosing(_) => {
