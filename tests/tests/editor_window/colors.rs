@@ -307,3 +307,16 @@ fn time_runs_in_the_view_alone() {
     window.keys(Modifiers::COMMAND, Key::Z);
     assert_eq!((shown(&window), window.scene()), (12.0, &scene));
 }
+
+#[test]
+fn the_hours_slider_fills_the_panel() {
+    for width in [1280.0, 1600.0] {
+        let mut window = Window::open_sized(None, [width, 1000.0]);
+        window.settle();
+        window.command(Command::SkyPanel);
+        let slider = window.node(Role::Slider, "Time of day").rect();
+        let panel = window.node(Role::DisclosureTriangle, "Sun").rect();
+        assert!(slider.width() > 230.0, "{slider} in a window {width} wide");
+        assert!(slider.right() < width && slider.left() - panel.left() < 40.0, "{slider}");
+    }
+}

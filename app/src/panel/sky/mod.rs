@@ -23,8 +23,6 @@ use sun_path::SunPath;
 
 /// Of the slider, hours: two minutes are as fine as a hand can be.
 const TIME_STEP_H: f64 = 1.0 / 30.0;
-/// Of its field, points.
-const SPEED_WIDTH: f32 = 92.0;
 /// Of the hour's diamond, points.
 const KEY_WIDTH: f32 = 12.0;
 const TIME_SPEED: Number = Number {
@@ -57,22 +55,24 @@ pub(super) fn show(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>
 
 /// The hour, and time that runs.
 fn time(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+    // By itself: a hand is the finer, the longer the slider is.
+    ui.horizontal(|ui| {
+        let mut hour = reading.time_h();
+        let field = ui.spacing().interact_size.x + 2.0 * ui.spacing().button_padding.x + KEY_WIDTH;
+        let room = ui.available_width() - field - 2.0 * ui.spacing().item_spacing.x;
+        ui.spacing_mut().slider_width = room.max(60.0);
+        actions.extend(hour::key(ui, hour, reading));
+        if time_slider(ui, &mut hour) {
+            let live = ui.input(|input| input.pointer.any_down());
+            actions.extend(hour::set(hour, live, reading));
+        }
+    });
     ui.horizontal(|ui| {
         let (glyph, name) = if reading.time_play.runs() { (icon::PAUSE, "Stop") } else { (icon::PLAY, "Play") };
         let button = ui.button(glyph);
         name_it(ui, &button, name);
         if button.on_hover_text(Command::PlayTime.row().tooltip(ui.ctx())).clicked() {
             actions.push(Action::Command(Command::PlayTime));
-        }
-        let mut hour = reading.time_h();
-        let (fields, gaps) =
-            (ui.spacing().interact_size.x + 2.0 * ui.spacing().button_padding.x + SPEED_WIDTH + KEY_WIDTH, 4.0);
-        let room = ui.available_width() - fields - gaps * ui.spacing().item_spacing.x;
-        ui.spacing_mut().slider_width = room.max(60.0);
-        actions.extend(hour::key(ui, hour, reading));
-        if time_slider(ui, &mut hour) {
-            let live = ui.input(|input| input.pointer.any_down());
-            actions.extend(hour::set(hour, live, reading));
         }
         let mut speed = reading.time_play.hours_a_minute();
         if number_field(ui, TIME_SPEED.label, &TIME_SPEED, &mut speed, false) {
