@@ -165,7 +165,8 @@ impl<'a, T: Clone + PartialEq> Fields<'a, T> {
     pub(crate) fn row(&mut self, ui: &mut Ui, row: &'static Row<T>, label: &str) {
         let Some(value) = self.value(row, 0, 0) else { return };
         match row.property.kind {
-            Kind::Number(_) | Kind::Angle(_) | Kind::Integer(_) | Kind::Color(_) => self.numbers(ui, row, label),
+            Kind::Number(_) | Kind::Angle(_) | Kind::Integer(_) => self.numbers(ui, row, label),
+            Kind::Color(_) => self.color(ui, row, label),
             Kind::Seed => self.seed(ui, row, label),
             Kind::Flag => self.flag(ui, row, label, value == Value::Flag(true)),
             Kind::Text => self.text(ui, row, label, &value),

@@ -254,3 +254,18 @@ fn boxes_are_dragged_into_another_model() {
     window.command(Command::Undo);
     assert_eq!(window.file(), start);
 }
+
+#[test]
+fn a_folders_colour_is_picked() {
+    let (mut window, _folder) = with_scene(&with_anvils(3, &[1]));
+    let folder = window.scene().folders[0].clone();
+    window.select([Item::Folder(folder.id)]);
+    assert!(window.harness.query_by_role_and_label(Role::SpinButton, "Colour r").is_none());
+    window.node(Role::ColorWell, "Colour").click();
+    window.settle();
+    window.set("Colour red", 255.0);
+    window.set("Colour blue", 0.0);
+    let color = window.scene().folders[0].color.to_array();
+    assert!(color[0] == 1.0 && color[2] == 0.0, "{color:?}");
+    window.was_told("Colour b of Anvils");
+}

@@ -1,9 +1,41 @@
 //! A colour with its brightness beside it: the picker shows sRGB, which ends at white.
 
-use super::{number_field, picker};
+use super::{Fields, MIXED, MIXED_DOC, number_field, picker};
 use cloudwright_core::color::{Rgb, Rgba, linear_from_srgb, srgb_from_linear};
-use cloudwright_core::property::{self, Number};
+use cloudwright_core::property::{self, Number, Row, Value};
 use egui::{Color32, Ui};
+
+impl<T: Clone + PartialEq> Fields<'_, T> {
+    /// A colour to pick, and how much brighter than white it is where it may be that.
+    pub(super) fn color(&mut self, ui: &mut Ui, row: &'static Row<T>, label: &str) {
+        let property = &row.property;
+        let channel = |part| match self.value(row, part, 0) {
+            Some(Value::Number(value)) => Some(value as f32),
+            _ => None,
+        };
+        let (Some(r), Some(g), Some(b)) = (channel(0), channel(1), channel(2)) else { return };
+        let before = Rgb::new(r, g, b);
+        let mut value = before;
+        let values = self.values(row);
+        self.name_with_key(ui, label, property.doc, &values);
+        let fields = ui.horizontal(|ui| {
+            color_field(ui, label, &mut value);
+            if property.kind.number().is_some_and(|number| number.max > 1.0) {
+                brightness_field(ui, &format!("{label} brightness"), &mut value);
+            }
+            if (0..3).any(|part| self.parts_differ(row, part)) {
+                ui.weak(MIXED).on_hover_text(MIXED_DOC);
+            }
+        });
+        if value != before {
+            for (part, channel) in value.to_array().into_iter().enumerate() {
+                self.set(row, part, Value::Number(channel.into()));
+            }
+        }
+        self.note_pointer(ui, fields.response.rect, label, &values);
+        ui.end_row();
+    }
+}
 
 const BRIGHTNESS: Number =
     Number { min: 1.0, label: "Brightness", doc: "Above 1: brighter than white.", ..property::COLOR };
