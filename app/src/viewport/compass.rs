@@ -17,8 +17,8 @@ const END: f32 = 9.0;
 const PACE: f32 = 6.0;
 /// Below the corner's menu, points.
 const BELOW: f32 = 48.0;
-/// A viewport that is less high and wide has none, points.
-const LEAST_ROOM: Vec2 = vec2(260.0, 240.0);
+/// A viewport that is less high and wide has none, points: its clouds and their handles need the room.
+const LEAST_ROOM: Vec2 = vec2(400.0, 300.0);
 
 /// Where it stands in `rect`; none where it would be in the way.
 pub(super) fn place(rect: Rect) -> Option<Rect> {

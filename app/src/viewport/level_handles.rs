@@ -25,8 +25,8 @@ const RADIUS: f32 = 5.0;
 /// Of a cloud with more sprites, evenly chosen ones tell its width.
 const MAX_SPRITES: usize = 1000;
 
-/// Shows the scale.
-pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, actions: &mut Vec<Action>) {
+/// Shows the scale, to the left of `right`.
+pub(super) fn show(ui: &mut Ui, rect: Rect, right: f32, view: &View, reading: &Reading<'_>, actions: &mut Vec<Action>) {
     let scene = reading.session.scene();
     let selection = &reading.view.selection;
     let placed = selection.cloud(scene).filter(|cloud| reading.levels_shown && reading.view.shows(scene, cloud));
@@ -37,7 +37,7 @@ pub(super) fn show(ui: &mut Ui, rect: Rect, view: &View, reading: &Reading<'_>, 
     // The eye stands to the cloud at rest as it does to the cloud where it is seen.
     let carried = placed.map_or(cloud.origin, |placed| Places::of(reading).middle(placed)) - cloud.origin;
     let view = View { eye: view.eye - carried, ..*view };
-    let Some(scale) = Scale::new(cloud, &view, rect) else { return };
+    let Some(scale) = Scale::new(cloud, &view, rect, right) else { return };
     let painter = ui.painter_at(rect);
     painter.line_segment([scale.bottom, scale.top], Stroke::new(3.0, theme::VIEWPORT_SHADE));
     painter.line_segment([scale.bottom, scale.top], Stroke::new(1.0, theme::VIEWPORT_TEXT));
@@ -99,18 +99,18 @@ struct Scale {
 }
 
 impl Scale {
-    fn new(cloud: &PlacedCloud, view: &View, rect: Rect) -> Option<Self> {
+    fn new(cloud: &PlacedCloud, view: &View, rect: Rect, right: f32) -> Option<Self> {
         let level = Vec3::new(view.right.x, 0.0, view.right.z).try_normalize()?;
         let step = cloud.sprites.len().div_ceil(MAX_SPRITES).max(1);
         let out = |p: Vec3| (p - cloud.center).dot(level);
-        let right = cloud.sprites.iter().step_by(step).map(|sprite| out(sprite.position) + sprite.radius());
-        let side = cloud.center + level * right.reduce(f32::max)?;
+        let sideways = cloud.sprites.iter().step_by(step).map(|sprite| out(sprite.position) + sprite.radius());
+        let side = cloud.center + level * sideways.reduce(f32::max)?;
         let ends =
             [cloud.bottom, cloud.top].map(|y| (cloud.origin - view.eye).as_vec3() + Vec3::new(side.x, y, side.z));
         let on_screen = |end: Vec3| view.project(end).map(|at| pos2(rect.left() + at.x + GAP, rect.top() + at.y));
         let (bottom, top) = (on_screen(ends[0])?, on_screen(ends[1])?);
         // A cloud that reaches out of the picture keeps its scale at the rim; one that is outside has none.
-        let out = (bottom.x.max(top.x) - (rect.right() - GAP)).max(0.0);
+        let out = (bottom.x.max(top.x) - (right - GAP)).max(0.0);
         let (bottom, top) = (bottom - vec2(out, 0.0), top - vec2(out, 0.0));
         let visible = out < rect.width() && bottom.x.min(top.x) > rect.left() && bottom.y > rect.top();
         let scale = Self { bottom, top, depths: ends.map(|end| view.depth(end)) };

@@ -263,7 +263,10 @@ impl Viewport {
             through::paint(ui, &painter, rect, self.camera(), reading.picture_size);
         }
         self.work(ui, &response, &painter, &screen, reading, actions);
-        level_handles::show(ui, rect, &screen.view, reading, actions);
+        // The compass has its corner to itself.
+        let compass = compass::place(rect).filter(|_| pinned.is_none());
+        let right = compass.map_or(rect.right(), |place| place.left());
+        level_handles::show(ui, rect, right, &screen.view, reading, actions);
         if let Some(side) = pinned {
             overlay::plate(ui, rect.left_top() + vec2(14.0, 10.0), Align2::LEFT_TOP, side.name());
             return self.menu(!self.own_gesture(), &response, &screen, reading, actions);
@@ -288,7 +291,7 @@ impl Viewport {
         let seen_through = self.through.as_ref().map(Through::id);
         let raised = Canvas::legend_height(reading.view.lens);
         self.inset.show(ui, rect, raised, seen_through, reading, actions);
-        if let Some(place) = compass::place(rect) {
+        if let Some(place) = compass {
             let turned = compass::show(ui, place, &screen, self.is_orthographic(), actions);
             if turned != Vec2::ZERO {
                 self.leave();

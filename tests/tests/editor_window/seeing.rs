@@ -265,3 +265,27 @@ fn the_chosen_camera_has_a_picture_in_the_corner() {
     assert!(window.shows("main · 1920 × 1080") && !window.shows("What main sees"));
     assert_eq!(window.primary(), Some(Item::Camera(window.scene().cameras[0].id)), "and is still chosen");
 }
+
+/// In small views, which have none, and in larger ones, where it has its corner to itself.
+#[test]
+fn the_compass_lies_over_no_handle_of_a_level() {
+    for size in [[1280.0, 800.0], [1600.0, 1000.0], [1920.0, 1200.0]] {
+        let mut window = Window::open_sized(None, size);
+        window.settle();
+        window.command(Command::LevelsPanel);
+        window.select([Item::Cloud(window.scene().clouds[0].id)]);
+        window.command(Command::QuadView);
+        window.command(Command::FrameSelection);
+        let middle = window.viewport().center();
+        window.pointer(middle, None);
+        for _ in 0..4 {
+            let compass = window.harness.query_all_by_label("Compass").map(|node| node.rect()).next();
+            let levels: Vec<_> =
+                window.harness.query_all_by_label_contains("on the cloud").map(|node| node.rect()).collect();
+            assert!(!levels.is_empty());
+            assert!(compass.is_none_or(|it| levels.iter().all(|level| !level.intersects(it))), "{size:?}: {compass:?}");
+            assert_eq!(compass.is_some(), window.viewport().width() >= 400.0, "{size:?}");
+            window.wheel(1.0);
+        }
+    }
+}
