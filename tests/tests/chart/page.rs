@@ -35,6 +35,12 @@ fn example_page() {
     assert_eq!(count(&elements, "svg"), 4);
     assert_eq!(count(&elements, "article"), EXAMPLES.len());
     assert_eq!(html.matches("scope=\"row\"").count(), EXAMPLES.len());
+    // In the table too, words tell a family and not its colour alone.
+    let table = html.split("<table>").nth(1).expect("a table");
+    for family in [Family::Shipped, Family::Failing] {
+        let of_family = EXAMPLES.iter().filter(|example| example.family == family).count();
+        assert_eq!(table.matches(&format!("{}</span>", family.name())).count(), of_family);
+    }
     // Nothing is fetched: no address but the name of SVG's own language.
     assert_eq!(html.matches("://").count(), html.matches("http://www.w3.org/2000/svg").count());
     for sentence in [

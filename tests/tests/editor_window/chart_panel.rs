@@ -6,7 +6,7 @@ use crate::off_frame::is_idle;
 use crate::tools::opened;
 use cloudwright::command::Command;
 use cloudwright::state::Lens;
-use cloudwright_core::method::{self, METHODS};
+use cloudwright_core::method::{self, Family, METHODS};
 use cloudwright_core::rules::{Movement, Rasterizer};
 use egui::accesskit::Role;
 use egui::{Key, Modifiers, PointerButton, vec2};

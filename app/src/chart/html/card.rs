@@ -62,9 +62,7 @@ fn card(
     let family = page.family(method);
     let _ = writeln!(out, r#"<article class="card {}" id="{}">"#, class(family), Page::card_id(index));
     let _ = write!(out, "<h3>{}", text::escape(&method.name));
-    if matches!(family, Family::Shipped | Family::Failing) {
-        let _ = write!(out, r#" <span class="badge {}">{}</span>"#, class(family), family.name());
-    }
+    out.push_str(&badge(family));
     if method.on_front {
         out.push_str(r#" <span class="badge front">on the front</span>"#);
     }
@@ -82,6 +80,16 @@ fn card(
     figures(page, method, out);
     out.push_str("</article>\n");
     Ok(())
+}
+
+/// What a family is called, where that is worth a word: its colour is never all that tells it.
+pub(super) fn badge(family: Family) -> String {
+    match family {
+        Family::Shipped | Family::Failing => {
+            format!(r#" <span class="badge {}">{}</span>"#, class(family), family.name())
+        }
+        Family::Truth | Family::Other => String::new(),
+    }
 }
 
 fn pictures(

@@ -1,6 +1,7 @@
 //! Every figure of every method, to sort by any of them.
 
 use super::Page;
+use super::card::badge;
 use crate::chart::columns::{Column, filled};
 use crate::chart::{class, text};
 use std::fmt::Write;
@@ -29,10 +30,11 @@ pub(super) fn write(page: &Page<'_>, out: &mut String) {
         let front = if method.on_front { r#" <span class="badge front">front</span>"# } else { "" };
         let _ = write!(
             out,
-            r##"<tr class="{}"><th scope="row"><a href="#{}">{}</a>{front}</th>"##,
+            r##"<tr class="{}"><th scope="row"><a href="#{}">{}</a>{}{front}</th>"##,
             class(page.family(method)),
             Page::card_id(index),
-            text::escape(&method.name)
+            text::escape(&method.name),
+            badge(page.family(method))
         );
         for (column, class) in columns.iter().zip(group_starts(&columns)) {
             let value = (column.of)(method).filter(|x| x.is_finite());

@@ -1,6 +1,6 @@
 //! The figures, from cheap to dear; a click on a name has the viewport draw by that method.
 
-use super::figures::{card, choose_method, family, is_chosen};
+use super::figures::{card, choose_method, family, is_chosen, mark};
 use crate::chart::report::{MethodFigures, Report};
 use crate::chart::text::figure;
 use crate::state::{Action, Reading};
@@ -24,7 +24,13 @@ pub(super) fn show(ui: &mut Ui, report: &Report, reading: &Reading<'_>, actions:
         for row in methods {
             let name = RichText::new(&row.name).color(theme::family(ui, family(row)));
             let name = if row.on_front { name.strong() } else { name };
-            let response = ui.selectable_label(is_chosen(row, reading), name).on_hover_ui(|ui| card(ui, row));
+            let label = |ui: &mut Ui| {
+                mark(ui, family(row));
+                ui.selectable_label(is_chosen(row, reading), name)
+            };
+            let response = ui.horizontal(label).inner;
+            ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(family(row).name()));
+            let response = response.on_hover_ui(|ui| card(ui, row));
             if response.clicked() {
                 actions.push(choose_method(row, reading));
             }
