@@ -134,11 +134,11 @@ readme() {
   has "$scene" '.scene.models[-1].boxes | length == 3' "step 3: three boxes"
   # 4: the flat one's sprites, and the dice.
   click 90 379
-  field 1324 367 40
-  field 1324 394 250; field 1411 394 350
-  field 1324 421 120; field 1411 421 180
-  field 1324 448 -5; field 1411 448 5
-  click 1385 475; shot categories; click 1403 706
+  field 1324 224 40
+  field 1324 251 250; field 1411 251 350
+  field 1324 278 120; field 1411 278 180
+  field 1324 305 -5; field 1411 305 5
+  click 1385 332; shot categories; click 1403 563
   shot sprites
   save "$scene"
   has "$scene" '.scene.models[-1].boxes[0] | [.sprite_count, .width, .height, .rotation_deg, .category] ==
@@ -183,7 +183,7 @@ readme() {
   has "$scene" '.scene.models[-1].color_levels[0].color[0] == 0.1' "step 6: the mood “Storm”"
   # 7: the curve pulled; a group of two boxes, then groups by themselves.
   click 1290 531
-  drag 1395 794 1395 770
+  drag 1395 875 1395 851
   shot curve
   save "$scene"
   has "$scene" "$second.light.c_med > 0.45" "step 7: brighter across"
@@ -198,7 +198,7 @@ readme() {
   has "$scene" '.scene.models[-1].groups | length >= 3' "step 7: groups by themselves"
   # 8: the hour dragged; then the day passes, until an hour is kept.
   click 1340 531
-  drag 1327 562 1390 562
+  drag 1363 562 1430 562
   shot hour
   save "$scene"
   has "$scene" '.scene.time_of_day_h > 13' "step 8: later in the day"
@@ -253,8 +253,8 @@ base() { field 355 115 "$1"; }
 # rows FROM TO: of the model's boxes in the outline, counted from 1.
 rows() { click 90 $((217 + 27 * $1)); [ "$1" = "$2" ] || also 90 $((217 + 27 * $2)); }
 
-# light TOWARDS ACROSS PULL: of what is selected, at the foot of the groups' panel.
-light() { field 1341 843 "$1"; field 1341 870 "$2"; field 1341 951 "$3"; }
+# light TOWARDS ACROSS PULL: of what is selected, below the list in the groups' panel, which was pulled up.
+light() { field 1341 638 "$1"; field 1341 665 "$2"; field 1341 883 "$3"; }
 
 cumulonimbus() {
   local scene="$out/cumulonimbus.cloudscene"
@@ -262,7 +262,7 @@ cumulonimbus() {
   begin ""
   xdotool key Escape; sleep 1
   pace=0
-  key ctrl+n; key ctrl+a; key Delete; palette "Remove unused"
+  key ctrl+n; click 555 433; key ctrl+a; key Delete; palette "Remove unused"
   # From the top, far enough away, and the box tool.
   key 7; key 5
   wheel $middle_x $middle_y 6
@@ -297,32 +297,30 @@ cumulonimbus() {
   box 4000 8800 -1600 1600 250
   shot boxes
   key q
-  # More room for the inspector. Heaps, anvil, rain and base: each like its kind.
-  drag 1380 517 1380 760
+  # Heaps, anvil, rain and base: each like its kind.
   rows 3 14
-  field 1324 603 1.8
+  field 1324 217 1.8
   rows 15 17
-  field 1324 576 0.7
-  field 1324 603 2.6
-  field 1324 441 700; field 1411 441 1100
-  field 1324 468 -5; field 1411 468 5
-  click 1385 495; click 1207 726
+  field 1324 190 0.7
+  field 1324 217 2.6
+  field 1324 298 700; field 1411 298 1100
+  field 1324 325 -5; field 1411 325 5
+  click 1385 352; click 1207 583
   rows 1 1
-  field 1324 556 1.5
-  field 1324 583 1.3
-  field 1324 448 -5; field 1411 448 5
-  click 1385 475; click 1403 706
+  field 1324 170 1.5
+  field 1324 197 1.3
+  field 1324 305 -5; field 1411 305 5
+  click 1385 332; click 1403 563
   rows 2 2
-  click 1385 475; click 1207 784
+  click 1385 332; click 1207 641
   click 90 217
   click 1348 162; shot categories; click 1230 370
   field 1325 216 0.222
   shot filled
   # How they take the sun: the higher, the brighter.
-  click 1290 774
-  drag 1380 760 1380 300
+  click 1290 531
+  drag 1380 517 1380 300
   rows 3 7
-  wheel 1390 820 20
   light 0.62 0.14 0.3
   rows 8 10
   light 0.9 0.22 0.3
@@ -335,7 +333,7 @@ cumulonimbus() {
   shot light
   # A mood, and the hour.
   click 1210 314; click 1217 345; shot moods; click 1230 455
-  click 1340 314; field 1454 345 18:48
+  click 1340 314; field 1558 345 18:48
   key ctrl+s; path "$scene"
   shot saved
   echo "$part: a person would need $((pace / 10)) s for it"
@@ -431,8 +429,7 @@ of_two() {
   # All clouds of the one, into a new scene that has none.
   key ctrl+a; key ctrl+c
   shot copied
-  key ctrl+n; settle
-  key ctrl+a; key Delete; palette "Remove unused"
+  key ctrl+n; key Return; settle
   key ctrl+v
   shot pasted
   # And what the other has.
