@@ -14,9 +14,7 @@ use cloudwright_core::arrange::{ModelSpace, fill};
 use cloudwright_core::document::{Edit, ListEdit};
 use cloudwright_core::property::BOX_SIZE;
 use cloudwright_core::scene::{BoxId, CloudBox, ModelId};
-use egui::{
-    CursorIcon, EventFilter, Id, Key, Modifiers, Painter, Pos2, Rect, Response, Sense, StrokeKind, Ui, Vec2, vec2,
-};
+use egui::{CursorIcon, EventFilter, Key, Modifiers, Painter, Pos2, Rect, Response, Sense, StrokeKind, Ui, Vec2, vec2};
 use glam::DVec3;
 
 const NAME: &str = "Move face";
@@ -106,7 +104,8 @@ impl Faces {
         }
         let grips = grip::grips(&centers.iter().map(|(_, at)| *at).collect::<Vec<_>>());
         for ((face, at), grip) in centers.into_iter().zip(grips).filter(|((_, at), _)| screen.rect.contains(*at)) {
-            let id = Id::unique(("box face", face.axis, face.side < 0.0));
+            // Of this view: there may be four.
+            let id = ui.scope_id().with(("box face", face.axis, face.side < 0.0));
             let response = ui.interact(grip, id, Sense::click_and_drag());
             name_it(ui, &response, &face.name());
             if response.drag_started_by(egui::PointerButton::Primary) {

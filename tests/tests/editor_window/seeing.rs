@@ -289,3 +289,14 @@ fn the_compass_lies_over_no_handle_of_a_level() {
         }
     }
 }
+
+#[test]
+fn a_box_has_handles_of_its_own_in_each_of_four_views() {
+    let mut window = opened();
+    let model = window.scene().models[0].clone();
+    window.select([Item::Box(model.id, model.boxes[1].id)]);
+    window.command(Command::QuadView);
+    window.command(Command::FrameSelection);
+    let faces = window.harness.query_all_by_label_contains("Face").count();
+    assert!(faces > 12, "{faces}");
+}
