@@ -31,6 +31,8 @@ pub struct Derived {
     timeline: Arc<Timeline>,
     populated: FxHashMap<Key, Populated>,
     work: WorkDone,
+    /// Whether a frame bakes the light that it lacks.
+    bakes_on_demand: bool,
 }
 
 /// A model under a seed: what sprites are strewn from.
@@ -76,6 +78,7 @@ impl Default for Derived {
             timeline: Arc::default(),
             populated: FxHashMap::default(),
             work: WorkDone::default(),
+            bakes_on_demand: false,
         }
     }
 }
@@ -158,6 +161,13 @@ impl Derived {
     /// Bakes the light that is still to be baked, for this and all copies of it; false if `watch` is cancelled before.
     pub fn bake(&self, watch: &Watch) -> bool {
         self.bakes().all(|bake| bake.finish(watch))
+    }
+
+    /// The same before a frame, unless someone else sees to it.
+    pub(crate) fn bake_on_demand(&self) {
+        if self.bakes_on_demand {
+            self.bake(&Watch::default());
+        }
     }
 
     fn bakes(&self) -> impl Iterator<Item = &Bake> {

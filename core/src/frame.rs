@@ -51,6 +51,7 @@ impl<'a> Frame<'a> {
     /// What is seen of `scene`, whose `derived` is, with the tiles of `atlas`. It is of as many pixels as the sight's rules
     /// take samples.
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
+        derived.bake_on_demand();
         let now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), sight.moment, sight.rules.of_weather());
         let frame = Self::of(now, derived, atlas, sight);
         let models = models_in_view(&scene.paths, &frame.now, &sight.meshes, sight.moment.clock_s, frame.view.eye);

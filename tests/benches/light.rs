@@ -47,7 +47,8 @@ fn bakes() {
         println!("{name}: {sprites} sprites placed, baked in {:.0?}", took(|| derived.bake(&Watch::default())));
     }
     let mut edited = scene("cumulonimbus_dusk");
-    let before = Derived::new(&edited);
+    let before = placed(&edited);
+    before.bake(&Watch::default());
     edited.models[0].boxes[0].center.x += 20.0;
     let after = before.plan(&edited, &Change::everything()).place(&Watch::default()).expect("not cancelled");
     println!("one box of the cumulonimbus: {:.0?}", took(|| after.bake(&Watch::default())));

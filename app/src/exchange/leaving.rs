@@ -69,6 +69,9 @@ pub enum LeaveError {
 /// cancelled. Nothing is written then.
 pub fn leave(subject: Subject<'_>, order: &Order, to: &Path, watch: &Watch) -> Result<Left, LeaveError> {
     let Subject { scene, derived, atlas, .. } = subject;
+    if !derived.bake(watch) {
+        return Err(LeaveError::Export(ExportError::Cancelled));
+    }
     let mut now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), order.moment, WeatherRules::default());
     if let Some(chosen) = &order.clouds {
         now.clouds.retain(|cloud: &CloudNow<'_>| chosen.contains(&cloud.placed.id));

@@ -2,7 +2,6 @@
 //! only take another place, light or name.
 
 use super::{Derived, Key, Populated, Source};
-use crate::baked::BAKING;
 use crate::change::Change;
 use crate::scene::{Cloud, CloudBox, CloudModel, GroupId, GroupLight, ModelId, Scene};
 use crate::sprites::{
@@ -145,28 +144,14 @@ impl<'a> Plan<'a> {
         self.sprites() <= Self::LITTLE
     }
 
-    /// Computes it, with its light. None if `watch` was cancelled meanwhile.
+    /// Computes it; its light is baked by the first frame that shows it. None if `watch` was cancelled meanwhile.
     pub fn carry_out(self, watch: &Watch) -> Option<Derived> {
-        let baking = self.baking();
-        let placed = self.place_before(baking, watch)?;
-        placed.bake(watch).then_some(placed)
+        Some(Derived { bakes_on_demand: true, ..self.place(watch)? })
     }
 
-    /// Computes it but for the light that is baked ([`Derived::bake`]). None if `watch` was cancelled meanwhile.
+    /// The same for those who see to the light themselves ([`Derived::bake`]) and show clouds before.
     pub fn place(self, watch: &Watch) -> Option<Derived> {
-        self.place_before(0, watch)
-    }
-
-    /// The work of baking what is not.
-    fn baking(&self) -> u64 {
-        let kept = self.kept.values().filter_map(|populated| populated.bake.as_ref()).map(Bake::work);
-        let lit = self.fresh.iter().filter(|(_, model)| !SoftLight::of(model).is_none());
-        kept.chain(lit.map(|(_, model)| BAKING * sprites_tried(model))).sum()
-    }
-
-    /// Computes all but light, where more `work` follows.
-    fn place_before(self, work: u64, watch: &Watch) -> Option<Derived> {
-        watch.expect(self.work + work);
+        watch.expect(self.work);
         // The pool may be busy with a picture, and a frame of the window must not wait for that.
         let in_parallel = !self.is_little();
         let Self { before, scene, retimes, ground_altitude_m, mut kept, fresh, clouds, .. } = self;
@@ -218,7 +203,8 @@ impl<'a> Plan<'a> {
             Arc::new(clouds.iter().enumerate().map(index_of).collect())
         };
         let timeline = if retimes { Arc::new(Timeline::new(scene)) } else { Arc::clone(&before.timeline) };
-        Some(Derived { index, shapes, timeline, clouds, sources, version, populated: kept, work })
+        let bakes_on_demand = false;
+        Some(Derived { index, shapes, timeline, clouds, sources, version, populated: kept, work, bakes_on_demand })
     }
 }
 

@@ -40,6 +40,8 @@ impl<'a> Trial<'a> {
         at_rest(&mut scene);
         let nothing = Derived::default();
         let derived = nothing.plan(&scene, &Change::everything()).carry_out(&watch.part())?;
+        // What is dropped later leaves the others' light as it was.
+        derived.bake(&watch.part()).then_some(())?;
         let models: FxHashMap<_, _> = scene.clouds.iter().map(|cloud| (cloud.id, cloud.model)).collect();
         let seeds = scene.models_by_id();
         let seed_of =

@@ -11,6 +11,7 @@ use cloudwright_core::scene::{
 };
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
+use cloudwright_core::watch::Watch;
 use cloudwright_core::weather::{Moment, SceneNow, Turn, WeatherRules};
 use glam::{DQuat, DVec3};
 
@@ -41,6 +42,7 @@ impl Case {
     /// Gives the case's frame to `draw`.
     pub fn with_frame<T>(&self, draw: impl FnOnce(&Frame<'_>) -> T) -> T {
         let derived = Derived::new(&self.scene);
+        derived.bake(&Watch::default());
         let moment = Moment { clock_s: self.clock_s, time_h: Some(self.time_h) };
         let mut now =
             SceneNow::new(&self.scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());

@@ -39,7 +39,7 @@ pub(super) const SITUATIONS: &[Situation] = &[
             figure: Figure::Light,
             at_most: swapped(0.6) * DUSK.r as f64 + 2.0 * ROUNDING,
             because: "Drawn in the wrong order they cost α² times the difference of their colours, at most the sun's \
-                      red of 0.95.",
+                      red of 1.19.",
         },
         breaks: &["half", "quarter"],
     },
@@ -151,7 +151,7 @@ pub(super) const SITUATIONS: &[Situation] = &[
 ];
 
 /// Of the sun at 20.6 h.
-const DUSK: Rgb = Rgb::new(0.95, 0.38, 0.15);
+const DUSK: Rgb = Rgb::new(1.19, 0.47, 0.188);
 /// Colours and lights are 1,000 at most, and shares of the sun 4.
 const BRIGHTEST: f64 = 1000.0 * 1000.0 + 4.0 * 1000.0;
 

@@ -26,6 +26,13 @@ fn balls(scene: &Scene) -> Vec<Ball> {
     balls_of(&populated.sprites, &model.color_levels)
 }
 
+/// With all of its light.
+fn derived(scene: &Scene) -> Derived {
+    let derived = Derived::new(scene);
+    derived.bake(&Watch::default());
+    derived
+}
+
 /// Summed in short steps, in f64.
 fn marched(balls: &[Ball], point: Vec3, direction: Vec3) -> f64 {
     let ray = Ray::towards(direction);
@@ -41,7 +48,7 @@ fn marched(balls: &[Ball], point: Vec3, direction: Vec3) -> f64 {
 }
 
 fn all_lights(scene: &Scene) -> Vec<[f32; 3]> {
-    let derived = Derived::new(scene);
+    let derived = derived(scene);
     let light = Light::at(scene, scene.time_of_day_h);
     lights(&derived, &light)
 }
@@ -119,7 +126,7 @@ fn the_same_bytes_on_any_number_of_threads() {
 #[test]
 fn the_sun_turns_without_a_step() {
     let mut scene = lit_heap(40);
-    let derived = Derived::new(&scene);
+    let derived = derived(&scene);
     let mut light_at = |heading_deg: f64, elevation_deg: f64| {
         scene.sun = Sun::ByHand { heading_deg, elevation_deg };
         // The tables would go dark below the horizon.
@@ -150,7 +157,7 @@ fn light_turns_with_the_cloud() {
         scene.models[0].self_shadow = 1.0;
         scene.clouds[0].heading_deg = heading_deg;
         scene.sun = Sun::ByHand { heading_deg: 70.0 + heading_deg, elevation_deg: 25.0 };
-        let (derived, light) = (Derived::new(&scene), Light::at(&scene, 12.0));
+        let (derived, light) = (derived(&scene), Light::at(&scene, 12.0));
         let turn = glam::Quat::from_rotation_y(-(heading_deg.to_radians() as f32));
         let cloud = CloudNow::at_rest(&derived.clouds()[0]);
         let each = |index: usize| {
@@ -175,7 +182,7 @@ fn without_a_share_all_is_as_by_groups_alone() {
     assert_ne!(all_lights(&plain), all_lights(&scene));
     (scene.models[0].self_shadow, scene.models[0].halo) = (0.0, 0.0);
     assert_eq!(all_lights(&plain), all_lights(&scene));
-    assert!(Derived::new(&scene).clouds().iter().all(|cloud| cloud.baked().is_none()));
+    assert!(derived(&scene).clouds().iter().all(|cloud| cloud.baked().is_none()));
 }
 
 #[test]
@@ -199,7 +206,7 @@ fn a_cloud_is_darker_behind() {
     let mut scene = lit_heap(120);
     scene.models[0].self_shadow = 1.0;
     scene.sun = Sun::ByHand { heading_deg: 90.0, elevation_deg: 5.0 };
-    let (derived, light) = (Derived::new(&scene), Light::at(&scene, 12.0));
+    let (derived, light) = (derived(&scene), Light::at(&scene, 12.0));
     let placed = &derived.clouds()[0];
     let lights = lights(&derived, &light);
     let mean = |wanted: &dyn Fn(f32) -> bool| {
@@ -215,7 +222,7 @@ fn a_cloud_is_darker_behind() {
 #[test]
 fn an_edit_keeps_light_until_the_new_is_baked() {
     let mut scene = lit_heap(60);
-    let before = Derived::new(&scene);
+    let before = derived(&scene);
     scene.models[0].boxes[0].center.x -= 30.0;
     let placed = before.plan(&scene, &Change::everything()).place(&Watch::default()).expect("not cancelled");
     assert!(placed.is_unbaked() && !before.is_unbaked());
@@ -229,7 +236,7 @@ fn an_edit_keeps_light_until_the_new_is_baked() {
     assert!(placed.bake(&Watch::default()));
     assert!(!copy.is_unbaked());
     assert_ne!(*copy.clouds()[0].baked().expect("new"), old);
-    assert_eq!(copy.clouds()[0].baked(), Derived::new(&scene).clouds()[0].baked());
+    assert_eq!(copy.clouds()[0].baked(), derived(&scene).clouds()[0].baked());
 
     // Neither another place nor another colour bakes anything; another opacity of a level does.
     scene.clouds[0].position.x += 500.0;
@@ -245,7 +252,7 @@ fn placements_share_what_is_baked() {
     let mut scene = crowd(24);
     scene.models.iter_mut().for_each(|model| model.self_shadow = 0.5);
     scene.clouds.iter_mut().for_each(|cloud| cloud.seed = None);
-    let derived = Derived::new(&scene);
+    let derived = derived(&scene);
     let mut words: Vec<*const u32> =
         derived.clouds().iter().map(|cloud| cloud.baked().expect("lit by it").words().as_ptr()).collect();
     words.sort_unstable();

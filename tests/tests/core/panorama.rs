@@ -111,6 +111,7 @@ fn a_direction_shows_what_a_camera_sees_there() {
         let around = place.around(WIDTH);
         // Pixels of some 0.1°, a fifth of a degree in the panorama's.
         let size = [160, 120];
+        // By as much as neighbouring pixels differ, at most.
         for (heading_deg, pitch_deg) in [(0.0, 0.0), (45.0, 35.0), (200.0, -30.0), (135.0, 5.0)] {
             let camera =
                 Camera { heading_deg, pitch_deg, roll_deg: 0.0, field_of_view_deg: 25.0, ..place.camera.clone() };
@@ -121,7 +122,7 @@ fn a_direction_shows_what_a_camera_sees_there() {
                 steps_apart(*color, around.color(ray))
             });
             let [mean, worst] = mean_and_worst(&mut apart.collect::<Vec<_>>());
-            assert!(mean < 1.5 && worst < 10.0, "{name} at {heading_deg}°, {pitch_deg}°: {mean} on the mean, {worst}");
+            assert!(mean < 1.5 && worst < 12.5, "{name} at {heading_deg}°, {pitch_deg}°: {mean} on the mean, {worst}");
         }
     }
 }

@@ -46,6 +46,7 @@ fn left_at(
     let mut options = format.usual_for_writing();
     set.iter().for_each(|(name, value)| options.set(name, value).expect("an option"));
     let derived = Derived::new(scene);
+    derived.bake(&Watch::default());
     let moment = Moment::at(clock_s);
     let now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
     let (options, watch) = (&options, &Watch::default());

@@ -40,7 +40,7 @@ fn a_keyed_value_looks_as_if_it_were_set() {
     let one = KeyValue::One;
     // Bytes where nothing but colours changes; where sprites are put elsewhere by another sum, f32 may round otherwise by
     // some 10⁻⁷ of 100 m, and a channel by a step. A cloud that is placed turned has another box about its centres, and so
-    // another middle to which groups are pulled: a hundredth of the light.
+    // another middle to which groups are pulled: two hundredths of the light.
     let cases: [(String, KeyValue, KeyValue, Set, u8); 14] = [
         ("time_of_day_h".into(), one(9.0), one(18.5), |s| s.time_of_day_h = 18.5, 0),
         ("sky/exposure_ev".into(), one(0.0), one(1.0), |s| s.sky.exposure_ev = 1.0, 0),
@@ -63,7 +63,7 @@ fn a_keyed_value_looks_as_if_it_were_set() {
             |s| s.clouds[0].position = DVec3::new(120.0, 1050.0, -80.0),
             1,
         ),
-        (format!("cloud/{cloud}/heading_deg"), one(0.0), one(130.0), |s| s.clouds[0].heading_deg = 130.0, 4),
+        (format!("cloud/{cloud}/heading_deg"), one(0.0), one(130.0), |s| s.clouds[0].heading_deg = 130.0, 5),
         (format!("cloud/{cloud}/scale"), one(1.0), one(1.4), |s| s.clouds[0].scale = 1.4, 1),
         (
             format!("model/{model}/color_levels/3/color"),
