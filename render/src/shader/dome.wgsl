@@ -30,10 +30,11 @@ fn around_sun(cos_gamma: f32) -> vec3f {
 
 // The sine of an elevation, kept from the edge of the formulas at the horizon by a soft maximum.
 fn lifted_sine(sine: f32) -> f32 {
-    return min(0.5 * (sine + sqrt(sine * sine + 4.0 * frame.horizon_sine * frame.horizon_sine)), 1.0);
+    let up = max(sine, 0.0);
+    return min(0.5 * (up + sqrt(up * up + 4.0 * frame.horizon_sine * frame.horizon_sine)), 1.0);
 }
 
-// Radiance of the sky alone in a unit direction; below the horizon about as at the horizon.
+// Radiance of the sky alone in a unit direction; below the horizon as at the horizon.
 fn sky_radiance(direction: vec3f) -> vec3f {
     return distribution(lifted_sine(direction.y), cosine_to_glow(direction));
 }

@@ -56,6 +56,31 @@ fn what_takes_long_can_be_cancelled() {
     );
 }
 
+/// What light comes through is worked out beside the window; until it is, edited sprites keep that of before.
+#[test]
+fn light_comes_later() {
+    let mut window = with_dense_box();
+    let model = window.scene().models[0].id;
+    window.select([Item::Model(model)]);
+    window.set("Self-shadow", 1.0);
+    let has_light = |window: &Window| {
+        let derived = window.session().derived();
+        let cloud = &derived.clouds()[0];
+        !derived.is_unbaked() && cloud.baked().is_some_and(|baked| baked.sprites() == cloud.sprites.len())
+    };
+    window.wait("light", has_light);
+    let sprites = window.sprites();
+    window.press("body");
+    set_in_one_frame(&mut window, 300.0);
+    assert!(window.sprites() > sprites, "the frame shows them");
+    assert!(window.session().derived().clouds()[0].baked().is_some(), "by what was known");
+    window.wait("their light", has_light);
+    window.select([Item::Model(model)]);
+    window.set("Self-shadow", 0.0);
+    window.set("Halo", 0.0);
+    assert!(window.session().derived().clouds()[0].baked().is_none(), "by their groups alone");
+}
+
 /// No repaint asked for, no picture drawn.
 pub(crate) fn is_idle(window: &Window) -> bool {
     let output = window.harness.output();

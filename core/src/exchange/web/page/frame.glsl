@@ -68,7 +68,8 @@ vec3 distribution(float cos_theta, float cos_gamma) {
 
 // The sine of an elevation, kept from the edge of the formulas at the horizon.
 float lifted_sine(float sine) {
-    return min(0.5 * (sine + sqrt(sine * sine + 4.0 * HORIZON_SINE * HORIZON_SINE)), 1.0);
+    float up = max(sine, 0.0);
+    return min(0.5 * (up + sqrt(up * up + 4.0 * HORIZON_SINE * HORIZON_SINE)), 1.0);
 }
 
 // For a unit direction, lifted from the horizon.
