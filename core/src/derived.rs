@@ -155,7 +155,7 @@ impl Derived {
     /// Whether light is still to be baked: until then clouds are lit by what is known of their sprites from before, or by
     /// their groups alone.
     pub fn is_unbaked(&self) -> bool {
-        self.bakes().any(|bake| bake.work() > 0)
+        !self.bakes().all(Bake::is_done)
     }
 
     /// Bakes the light that is still to be baked, for this and all copies of it; false if `watch` is cancelled before.

@@ -1,6 +1,6 @@
 //! Balls sorted for one direction, so that a ray looks at few of them.
 
-use super::ball::Ball;
+use super::ball::{Ball, beyond};
 use glam::{Vec2, Vec3};
 
 /// Cells along the longer side of the plane at most.
@@ -52,16 +52,7 @@ impl Met {
     fn depth_beyond(&self, point: Vec3) -> f32 {
         let [across, upwards] = self.inverse_half;
         let off = point - self.center;
-        let off = Vec3::new(off.x * across, off.y * upwards, off.z * across);
-        let begins = off.dot(self.along);
-        let within = 1.0 - (off.length_squared() - begins * begins);
-        if within <= 0.0 {
-            return 0.0;
-        }
-        let half_chord = within.sqrt();
-        let from = begins.clamp(-half_chord, half_chord);
-        let sum = |t: f32| t * (within - t * t * (1.0 / 3.0));
-        self.depth * (sum(half_chord) - sum(from))
+        self.depth * beyond(Vec3::new(off.x * across, off.y * upwards, off.z * across), self.along)
     }
 }
 

@@ -23,7 +23,7 @@ pub struct Ball {
     pub depth: f32,
 }
 
-/// Of a direction, as a ball's own space has it: unit steps along it, and how long one is there.
+/// A direction that balls are met in.
 #[derive(Debug, Clone, Copy)]
 pub struct Ray {
     direction: Vec3,
@@ -57,20 +57,9 @@ impl Ball {
     /// Optical depth of what of it lies along `ray` from `point` on.
     #[inline]
     pub fn depth_beyond(&self, point: Vec3, ray: Ray) -> f32 {
-        let from_middle = self.in_own_space(point - self.center);
         let along = self.in_own_space(ray.direction);
-        let length_squared = along.length_squared();
-        // Where the ray begins, from where it is nearest to the middle, in half sizes of the ball.
-        let begins = from_middle.dot(along) / length_squared.sqrt();
-        // 1 − (the square of that least distance).
-        let within = 1.0 - (from_middle.length_squared() - begins * begins);
-        if within <= 0.0 {
-            return 0.0;
-        }
-        let half_chord = within.sqrt();
-        let from = begins.clamp(-half_chord, half_chord);
-        let sum = |t: f32| t * (within - t * t * (1.0 / 3.0));
-        0.75 * self.depth * (sum(half_chord) - sum(from))
+        let along = along / along.length_squared().sqrt();
+        0.75 * self.depth * beyond(self.in_own_space(point - self.center), along)
     }
 
     #[inline]
@@ -85,6 +74,22 @@ impl Ray {
     pub fn towards(direction: Vec3) -> Self {
         Self { direction }
     }
+}
+
+/// Of a ball of half size 1 whose extinction falls as 1 − r², what lies beyond `from_middle` along a unit vector.
+#[inline]
+pub(super) fn beyond(from_middle: Vec3, along: Vec3) -> f32 {
+    // Where the ray begins, from where it is nearest to the middle.
+    let begins = from_middle.dot(along);
+    // 1 − (the square of that least distance).
+    let within = 1.0 - (from_middle.length_squared() - begins * begins);
+    if within <= 0.0 {
+        return 0.0;
+    }
+    let half_chord = within.sqrt();
+    let from = begins.clamp(-half_chord, half_chord);
+    let sum = |t: f32| t * (within - t * t * (1.0 / 3.0));
+    sum(half_chord) - sum(from)
 }
 
 /// What a ball covers of the square around it, by its depth through the middle, in [`STEPS`] from 0 to [`MOST_DEPTH`].

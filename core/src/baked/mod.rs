@@ -32,7 +32,7 @@ pub const MANY: usize = 50_000;
 /// With more sprites, so many stand for all, each for several.
 const MOST_BALLS: usize = 16_384;
 /// What a sprite costs, in a unit of work of about 10 ns.
-pub(crate) const BAKING: u64 = 2_400;
+const BAKING: u64 = 2_400;
 
 /// The light that is baked of a model's sprites.
 #[derive(Debug, Clone, PartialEq)]

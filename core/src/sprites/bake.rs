@@ -4,7 +4,7 @@
 
 use super::candidates::middle;
 use super::{Atlas, Candidate, PopulatedModel};
-use crate::baked::{BAKING, Baked, Ball, DIRECTIONS, Directions, MANY};
+use crate::baked::{Baked, Ball, DIRECTIONS, Directions, MANY};
 use crate::scene::{ColorLevels, level_color};
 use crate::watch::Watch;
 use rustc_hash::FxHashMap;
@@ -48,14 +48,14 @@ impl Bake {
         self.0.baked.get().or(self.0.before.as_ref())
     }
 
-    /// What there is to do, in units of work of about 10 ns.
-    pub(crate) fn work(&self) -> u64 {
-        if self.0.baked.get().is_some() { 0 } else { BAKING * self.0.sprites.sprites.len() as u64 }
+    /// Whether it is baked.
+    pub(crate) fn is_done(&self) -> bool {
+        self.0.baked.get().is_some()
     }
 
     /// Bakes it, if it is not; whether it is then: not if `watch` is cancelled.
     pub(crate) fn finish(&self, watch: &Watch) -> bool {
-        if self.0.baked.get().is_none() {
+        if !self.is_done() {
             let balls = balls_of(&self.0.sprites.sprites, &self.0.levels);
             let baked = if balls.len() > MANY {
                 Baked::new(&balls, Directions::parted(1), watch).mixed_for(DIRECTIONS)
