@@ -109,6 +109,12 @@ pub fn heading(degrees: f64) -> String {
     format!("{:03.0}°", if rounded == 0.0 { 360.0 } else { rounded })
 }
 
+/// Hours as `HH:MM`.
+pub fn hour(time_h: f64) -> String {
+    let minutes = (time_h.rem_euclid(24.0) * 60.0).round() as u32 % (24 * 60);
+    format!("{:02}:{:02}", minutes / 60, minutes % 60)
+}
+
 /// `HH:MM` as hours.
 pub fn time_of_day(text: &str) -> Result<f64, String> {
     let digits = |part: &str| part.len() <= 2 && part.bytes().all(|b| b.is_ascii_digit());
@@ -171,6 +177,7 @@ mod tests {
 
     #[test]
     fn a_time_of_day_is_hours_and_minutes() {
+        assert_eq!([18.5, 0.0, 23.999_9, -1.0].map(hour), ["18:30", "00:00", "00:00", "23:00"]);
         assert_eq!(time_of_day("18:30"), Ok(18.5));
         assert_eq!(time_of_day("6:00"), Ok(6.0));
         for (text, hour) in

@@ -45,6 +45,11 @@ pub struct Premultiplied {
 }
 
 impl Rgb {
+    /// How bright it is to an eye, 1 for white: the sum of ITU-R BT.709, whose primaries are sRGB's.
+    pub fn luminance(self) -> f32 {
+        0.2126 * self.r + 0.7152 * self.g + 0.0722 * self.b
+    }
+
     /// Black.
     pub const BLACK: Self = Self::new(0.0, 0.0, 0.0);
 

@@ -14,7 +14,7 @@ use crate::scene::{Cloud, CloudId, CloudModel, ModelId, Scene};
 use crate::sprites::{Bake, PlacedCloud, PopulatedModel, Shapes};
 use crate::version::Version;
 use crate::watch::Watch;
-use crate::weather::{CloudNow, Timeline, WeatherRules, clouds_now};
+use crate::weather::{CloudNow, KeptShadowMap, Timeline, WeatherRules, clouds_now};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -33,6 +33,8 @@ pub struct Derived {
     work: WorkDone,
     /// Whether a frame bakes the light that it lacks.
     bakes_on_demand: bool,
+    /// The last frame's.
+    shadow_map: KeptShadowMap,
 }
 
 /// A model under a seed: what sprites are strewn from.
@@ -79,6 +81,7 @@ impl Default for Derived {
             populated: FxHashMap::default(),
             work: WorkDone::default(),
             bakes_on_demand: false,
+            shadow_map: KeptShadowMap::default(),
         }
     }
 }
@@ -140,6 +143,11 @@ impl Derived {
     /// What the clock makes of the scene.
     pub fn timeline(&self) -> &Arc<Timeline> {
         &self.timeline
+    }
+
+    /// Where frames keep the clouds' shadows on the ground.
+    pub(crate) fn shadow_map(&self) -> &KeptShadowMap {
+        &self.shadow_map
     }
 
     /// What has been computed so far.

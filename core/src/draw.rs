@@ -27,9 +27,7 @@ pub fn drawn(frame: &Frame<'_>, watch: &Watch) -> Option<Drawn> {
             let (linear, clouds) = truth::picture_and_clouds(frame, frame.rules.samples_side, watch);
             (linear, Some(clouds))
         }
-        Rasterizer::Fast { stop_below } => {
-            (fast::linear_picture_stopping(frame, stop_below), Some(fast::clouds(frame, stop_below)))
-        }
+        Rasterizer::Fast(blending) => (fast::linear_picture_by(frame, blending), Some(fast::clouds(frame, blending))),
         Rasterizer::Plain => (plain::linear_picture(frame), Some(plain::clouds(frame))),
         Rasterizer::EightBits => (eight_bits::linear_picture(frame), None),
         Rasterizer::Gpu => return None,
@@ -42,9 +40,7 @@ pub fn drawn(frame: &Frame<'_>, watch: &Watch) -> Option<Drawn> {
 /// long, tells `watch` how far it is, and leaves the rest black once that is cancelled.
 pub fn picture(frame: &Frame<'_>, watch: &Watch) -> Option<Picture> {
     match frame.rules.rasterizer {
-        Rasterizer::Fast { stop_below } if frame.rules.pixels_a_pixel() == 1 => {
-            Some(fast::picture_stopping(frame, stop_below))
-        }
+        Rasterizer::Fast(blending) if frame.rules.pixels_a_pixel() == 1 => Some(fast::picture_by(frame, blending)),
         _ => Some(develop(&linear(frame, watch)?, frame.now.exposure)),
     }
 }
@@ -53,7 +49,7 @@ pub fn picture(frame: &Frame<'_>, watch: &Watch) -> Option<Picture> {
 pub fn linear(frame: &Frame<'_>, watch: &Watch) -> Option<LinearPicture> {
     let side = frame.rules.pixels_a_pixel();
     let linear = match frame.rules.rasterizer {
-        Rasterizer::Fast { stop_below } => fast::linear_picture_stopping(frame, stop_below),
+        Rasterizer::Fast(blending) => fast::linear_picture_by(frame, blending),
         Rasterizer::Truth => truth::linear_picture(frame, frame.rules.samples_side, watch),
         Rasterizer::Plain => plain::linear_picture(frame),
         Rasterizer::EightBits => eight_bits::linear_picture(frame),
@@ -65,8 +61,8 @@ pub fn linear(frame: &Frame<'_>, watch: &Watch) -> Option<LinearPicture> {
 /// `frame` in layers, with the motion until `later`, which was made by the same rules; none unless the fast renderer
 /// draws it.
 pub fn layers(frame: &Frame<'_>, later: &Later<'_>) -> Option<Layers> {
-    let Rasterizer::Fast { stop_below } = frame.rules.rasterizer else { return None };
-    let (layers, side) = (layers::layers(frame, later, stop_below), frame.rules.pixels_a_pixel());
+    let Rasterizer::Fast(blending) = frame.rules.rasterizer else { return None };
+    let (layers, side) = (layers::layers(frame, later, blending), frame.rules.pixels_a_pixel());
     Some(if side > 1 { layers.reduced(side) } else { layers })
 }
 

@@ -12,10 +12,10 @@ use crate::rules::Rules;
 use crate::scene::Scene;
 use crate::shading::{Veil, veil};
 use crate::sight::Sight;
-use crate::sky::{Background, Dome, GroundLook, NightSky};
+use crate::sky::{Background, Dome, GroundLook, GroundShadow, NightSky};
 use crate::sprites::{Atlas, PlacedCloud};
 use crate::version::Version;
-use crate::weather::SceneNow;
+use crate::weather::{KeptShadowMap, SceneNow};
 use glam::DVec3;
 
 /// A scene's clouds, light and background as one eye sees them at one moment.
@@ -25,7 +25,7 @@ pub struct Frame<'a> {
     pub view: View,
     /// The moment: light, exposure, and the clouds as they are now; the list counts into these.
     pub now: SceneNow<'a>,
-    /// Sky, ground and haze.
+    /// Sky, ground and haze; [`Frame::behind`] has the shadows on it.
     pub background: Background,
     /// The same clouds at rest.
     pub clouds: &'a [PlacedCloud],
@@ -45,6 +45,8 @@ pub struct Frame<'a> {
     pub rules: Rules,
     /// The aircraft and props in view, in any order.
     pub models: Vec<ModelInView>,
+    /// The clouds' shadows on the ground, drawn when asked for and kept for the next frame.
+    pub shadow_map: KeptShadowMap,
 }
 
 impl<'a> Frame<'a> {
@@ -53,6 +55,8 @@ impl<'a> Frame<'a> {
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
         derived.bake_on_demand();
         let now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), sight.moment, sight.rules.of_weather());
+        let hidden = &sight.hidden.clouds;
+        let now = if hidden.is_empty() { now } else { now.hiding(|cloud| hidden.contains(&cloud.placed.id)) };
         let frame = Self::of(now, derived, atlas, sight);
         let models = models_in_view(&scene.paths, &frame.now, &sight.meshes, sight.moment.clock_s, frame.view.eye);
         Self { models, ..frame }
@@ -82,9 +86,21 @@ impl<'a> Frame<'a> {
             atlas,
             rules: *rules,
             models: Vec::new(),
+            shadow_map: derived.shadow_map().clone(),
             view,
             now,
         }
+    }
+
+    /// What stands behind the clouds, with their shadows on it, for who draws on the CPU.
+    pub fn behind(&self) -> Background {
+        let mut behind = self.background.clone();
+        if let (Some(ground), Some(shadows)) = (&mut behind.ground, self.now.shadows) {
+            let of = (self.clouds_version, self.now.shadows_state());
+            let map = self.shadow_map.of(of, || self.now.shadow_map());
+            ground.shadow = map.map(|map| GroundShadow::new(map, shadows, self.view.eye));
+        }
+        behind
     }
 
     /// A sprite of the list, as this eye sees it.

@@ -21,6 +21,8 @@ pub struct ModelInView {
     pub turn: Quat,
     /// Metres in the world for a metre of the mesh, greater than 0.
     pub scale: f32,
+    /// What the clouds' shadows leave of the directional light on it, 0 to 1.
+    pub sunlit: f32,
 }
 
 static BUILT_IN: LazyLock<Arc<ModelMesh>> = LazyLock::new(|| {
@@ -65,11 +67,13 @@ pub(crate) fn models_in_view(
     if !now.aircraft.is_empty() {
         models.extend(aircraft((paths, &now.aircraft), meshes, clock_s, eye));
     }
+    models.iter_mut().for_each(|model| model.sunlit = now.sunlit(eye + model.from_eye.as_dvec3()));
     models
 }
 
 fn in_view(mesh: Arc<ModelMesh>, place: PathPoint, scale: f64, eye: DVec3) -> ModelInView {
-    ModelInView { mesh, from_eye: (place.position - eye).as_vec3(), turn: place.turn().as_quat(), scale: scale as f32 }
+    let (from_eye, turn) = ((place.position - eye).as_vec3(), place.turn().as_quat());
+    ModelInView { mesh, from_eye, turn, scale: scale as f32, sunlit: 1.0 }
 }
 
 fn props(props: &List<Prop>, meshes: &Meshes, eye: DVec3) -> Vec<ModelInView> {

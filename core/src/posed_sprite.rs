@@ -5,7 +5,7 @@
 
 use crate::camera::View;
 use crate::facing::{Facing, Pose, corners};
-use crate::shading::{CornerLight, Through, corner_light};
+use crate::shading::{CornerLight, Through, corner_light, in_shade};
 use crate::sprites::{Group, Sprite};
 use crate::weather::{CloudNow, Light};
 use glam::Vec3;
@@ -28,6 +28,8 @@ pub struct PosedSprite<'a> {
     /// How much of it has condensed, 0 to 1.
     condensed: f32,
     light: &'a Light,
+    /// What other clouds leave of the directional light.
+    shade: f32,
     /// The sun's light that comes through its cloud, if that is lit by it.
     through: Option<Through>,
 }
@@ -38,8 +40,20 @@ impl<'a> PosedSprite<'a> {
         let (rest, sprite) = (&cloud.placed.sprites[index], cloud.sprite_now(index));
         let group = &cloud.groups()[sprite.group as usize];
         let condensed = cloud.condensed(index);
-        let through = Through::new(cloud, index, light, pose.towards);
-        Self { rest, sprite, group, pose, facing: pose.facing(sprite.rotation), cloud, condensed, light, through }
+        let shade = cloud.shade_at(sprite.position);
+        let through = Through::new(cloud, (index, shade), light, pose.towards);
+        Self {
+            rest,
+            sprite,
+            group,
+            pose,
+            facing: pose.facing(sprite.rotation),
+            cloud,
+            condensed,
+            light,
+            shade,
+            through,
+        }
     }
 
     /// Its corners, top left first and clockwise, about its centre as that counts from wherever the caller counts.
@@ -51,6 +65,7 @@ impl<'a> PosedSprite<'a> {
     pub fn light_at(&self, offset: Vec3) -> CornerLight {
         let at_rest = self.cloud.at_rest_from(offset);
         let mut lit = corner_light(self.rest.position + at_rest, self.cloud, self.group, self.light);
+        lit.directional = in_shade(lit.directional, self.shade);
         if let Some(through) = &self.through {
             through.light(&mut lit, self.cloud.in_model(at_rest) / self.rest.reach(), self.group, self.light);
         }

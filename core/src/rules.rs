@@ -10,11 +10,35 @@ use crate::facing::FacingRule;
 use crate::weather::{FormingRule, StreamingRule, WeatherRules};
 use std::collections::BTreeMap;
 
-/// Of [`Rasterizer::Fast`]: a pixel is done when less than this gets through. What still does shows the background, but
-/// for rows of a tile that are done as a whole.
-pub const STOP_BELOW: f32 = 1.0 / 1024.0;
-/// Of [`Rasterizer::Fast`]: draw to the last sprite.
+/// Draw to the last sprite.
 pub const NEVER_STOP: f32 = 0.0;
+
+/// In what order [`Rasterizer::Fast`] blends fragments that lie over one another.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum FragmentOrder {
+    /// In their sprites', which the list has by distance: wrong where quads cross.
+    OfSprites,
+    /// In that of their own depths, as far as a short queue at each pixel takes it.
+    #[default]
+    OfTheirOwn,
+}
+
+/// How [`Rasterizer::Fast`] blends.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Blending {
+    /// A pixel is done when less than this share of what lies behind gets through. What still does shows the background, but
+    /// for rows of a tile that are done as a whole.
+    pub stop_below: f32,
+    /// In what order.
+    pub order: FragmentOrder,
+}
+
+impl Blending {
+    /// What ships.
+    pub const SHIPPED: Self = Self { stop_below: 1.0 / 1024.0, order: FragmentOrder::OfTheirOwn };
+    /// To the last sprite, in the list's order: as [`Rasterizer::Plain`].
+    pub const AS_PLAIN: Self = Self { stop_below: NEVER_STOP, order: FragmentOrder::OfSprites };
+}
 
 /// What turns a frame into pixels, and in what precision it blends.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,10 +46,7 @@ pub enum Rasterizer {
     /// Each sample's fragments in their own order, in f32 ([`crate::raster::truth`]).
     Truth,
     /// Tiles on all cores, in f32 ([`crate::raster::fast`]).
-    Fast {
-        /// A pixel is done when less than this share of what lies behind gets through.
-        stop_below: f32,
-    },
+    Fast(Blending),
     /// One fragment after the other, in f32 ([`crate::raster::plain`]).
     Plain,
     /// Into eight bits a channel: one of the sources' ways that fail.
@@ -42,6 +63,16 @@ pub enum Filter {
     MipLevels,
     /// Linear within the finest level, whose texels far sprites step over: they shimmer.
     FinestLevel,
+}
+
+/// Where the haze before a sprite is taken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum HazeRule {
+    /// At its centre, for all of it.
+    #[default]
+    ASprite,
+    /// Where each ray meets it, and in that ray's direction. Only [`Rasterizer::Truth`] does so; to others it is the sprite's.
+    AFragment,
 }
 
 /// A full way to draw. [`Rules::SHIPPED`] and what differs from it make a method.
@@ -61,6 +92,8 @@ pub struct Rules {
     pub detail: Detail,
     /// How texels become a fragment's.
     pub filter: Filter,
+    /// Where the haze before a sprite is taken.
+    pub haze: HazeRule,
     /// Samples a pixel, as the side of their square; at least 1.
     pub samples_side: u32,
 }
@@ -79,15 +112,32 @@ pub struct Movement {
 impl Rules {
     /// What Cloudwright draws by on the CPU.
     pub const SHIPPED: Self = Self {
-        rasterizer: Rasterizer::Fast { stop_below: STOP_BELOW },
+        rasterizer: Rasterizer::Fast(Blending::SHIPPED),
         sorting: Sorting::EachFrame,
         facing: FacingRule::BOUNDED,
         forming: FormingRule::ClosedForm,
         streaming: StreamingRule::ClosedForm,
         detail: Detail::FULL,
         filter: Filter::MipLevels,
+        haze: HazeRule::ASprite,
         samples_side: 1,
     };
+
+    /// With the sprites sorted so. An order that is kept or faded is one of sprites: each fragment's own would undo it.
+    pub fn sorted(self, sorting: Sorting) -> Self {
+        let rasterizer = match self.rasterizer {
+            Rasterizer::Fast(blending) if sorting != Sorting::EachFrame => {
+                Rasterizer::Fast(Blending { order: FragmentOrder::OfSprites, ..blending })
+            }
+            as_before => as_before,
+        };
+        Self { rasterizer, sorting, ..self }
+    }
+
+    /// Whether the haze is each fragment's own.
+    pub fn hazes_fragments(&self) -> bool {
+        self.rasterizer == Rasterizer::Truth && self.haze == HazeRule::AFragment
+    }
 
     /// By which rules the clock moves clouds.
     pub fn of_weather(&self) -> WeatherRules {
@@ -126,7 +176,10 @@ impl Rules {
     pub fn in_words(&self) -> BTreeMap<String, String> {
         let (rasterizer, blending, stop) = match self.rasterizer {
             Rasterizer::Truth => ("truth", "32-bit float, by fragment", NEVER_STOP),
-            Rasterizer::Fast { stop_below } => ("fast", "32-bit float", stop_below),
+            Rasterizer::Fast(Blending { stop_below, order: FragmentOrder::OfSprites }) => {
+                ("fast", "32-bit float", stop_below)
+            }
+            Rasterizer::Fast(Blending { stop_below, .. }) => ("fast", "32-bit float, by fragment", stop_below),
             Rasterizer::Plain => ("plain", "32-bit float", NEVER_STOP),
             Rasterizer::EightBits => ("plain", "8 bits", NEVER_STOP),
             Rasterizer::Gpu => ("GPU", "16-bit float", NEVER_STOP),
@@ -148,6 +201,7 @@ impl Rules {
             ("streaming", self.streaming.in_words()),
             ("sprites kept", format!("{:.0} %", self.detail.kept * 100.0)),
             ("filter", filter.into()),
+            ("haze", if self.hazes_fragments() { "a fragment" } else { "a sprite" }.into()),
             ("samples", samples),
         ]
         .map(|(name, value): (&str, String)| (name.into(), value))

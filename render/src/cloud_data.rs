@@ -6,103 +6,26 @@
 //! On the camera clock: which sprites to draw in what order, the poses of those near the eye, and of each cloud how the
 //! moment has it ([`CloudNow`]) and where it lies from the eye; that difference is taken in f64 here, so that a scene 1,000 km from the
 //! origin is as sharp as one at it.
-//! The structs are texels of four words; sprites.wgsl reads them.
+//! What lies there are texels ([`crate::texels`]).
 
 use crate::buffer::VertexBuffer;
+use crate::texels::{
+    BakedTexels, CloudTexels, GroupTexels, MomentTexels, PoseTexels, SpriteTexels, StirTexel, baked_texels,
+    cloud_texels, group_texels, moment_texels, pose_texels, sprite_texels,
+};
 use crate::texture::DataTexture;
 use crate::{Gpu, RenderError};
-use cloudwright_core::baked::{Around, DIRECTIONS, WORDS};
-use cloudwright_core::camera::View;
+use cloudwright_core::baked::WORDS;
 use cloudwright_core::draw_list::DrawList;
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
-use cloudwright_core::sprites::{Group, PlacedCloud, Sprite, Sprites};
+use cloudwright_core::sprites::{Group, PlacedCloud, Sprites};
 use cloudwright_core::version::Version;
-use cloudwright_core::weather::{CloudNow, Light};
+use cloudwright_core::weather::CloudNow;
 use std::sync::Arc;
 
 /// What the vertex shader is given of a sprite: cloud index, sprite address, and pose, if it has one of its own.
 pub(crate) type Instance = [u32; 3];
-
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-pub(crate) struct SpriteTexels {
-    position: [f32; 3],
-    width: f32,
-    height: f32,
-    sin_rotation: f32,
-    cos_rotation: f32,
-    /// Address of its group, times 16, plus its tile.
-    group_and_tile: u32,
-}
-
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-pub(crate) struct GroupTexels {
-    center: [f32; 3],
-    c: [f32; 3],
-    unused: [f32; 2],
-}
-
-#[derive(Debug, Clone, Copy, PartialEq, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-pub(crate) struct CloudTexels {
-    center: [f32; 3],
-    /// 0 for a cloud without extent.
-    inverse_radius: f32,
-    bottom: f32,
-    top: f32,
-    level_height_4: f32,
-    /// Where what is baked of its sprites begins, counted from where its sprites do; wraps.
-    baked_from_sprites: u32,
-    level_heights_0_to_3: [f32; 4],
-    level_colors: [[f32; 4]; 5],
-}
-
-/// A cloud in one frame.
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-pub(crate) struct MomentTexels {
-    from_eye: [f32; 3],
-    formed_core: f32,
-    formed_falloff: f32,
-    growth: f32,
-    opacity: f32,
-    scale: f32,
-    /// Sine and cosine.
-    turn: [f32; 2],
-    /// Negative in air that carries nothing.
-    reach_m: f32,
-    /// Of the sun's light.
-    self_shadow: f32,
-    /// The directions around the light's, a byte each, and their shares.
-    around: u32,
-    shares: [f32; 3],
-    /// Sine and cosine of the turn from the model's space.
-    heading: [f32; 2],
-    halo: f32,
-    unused: f32,
-}
-
-/// What the air makes of a sprite, as [`Stir::packed`].
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(transparent)]
-pub(crate) struct StirTexel([u32; 4]);
-
-/// The light that is baked of a sprite: its words, and two that are not used.
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(transparent)]
-pub(crate) struct BakedTexels([u32; 16]);
-
-/// A sprite near the eye, in one frame.
-#[derive(Clone, Copy, bytemuck::Pod, bytemuck::Zeroable)]
-#[repr(C)]
-pub(crate) struct PoseTexels {
-    towards: [f32; 3],
-    fade: f32,
-    up: [f32; 3],
-    unused: f32,
-}
 
 /// A cloud as the textures hold it. Sprites and groups are told apart by where they are kept.
 #[derive(Debug)]
@@ -135,6 +58,9 @@ pub(crate) struct CloudData {
     pub(crate) stirs: DataTexture,
     /// Empty until a cloud is lit by it.
     pub(crate) baked: DataTexture,
+    /// What other clouds take of the light, a node a texel.
+    pub(crate) shades: DataTexture,
+    held_shades: Vec<[f32; 4]>,
     /// Cloud index, sprite address and pose of each sprite to draw, back to front.
     pub(crate) order: VertexBuffer,
     /// The same in the order that fades out.
@@ -159,6 +85,8 @@ impl CloudData {
             poses: DataTexture::new(gpu, "poses"),
             stirs: DataTexture::new(gpu, "what the air makes of sprites"),
             baked: DataTexture::new(gpu, "light at sprites"),
+            shades: DataTexture::new(gpu, "shade on clouds"),
+            held_shades: Vec::new(),
             order: VertexBuffer::new(gpu, "the list of sprites in view"),
             older_order: VertexBuffer::new(gpu, "the list of sprites in view"),
             uploaded: Vec::new(),
@@ -187,8 +115,9 @@ impl CloudData {
         if frame.now.air().is_some() {
             renewed |= self.write_stirs(gpu, frame.clouds)?;
         }
-        let moments: Vec<MomentTexels> =
+        let mut moments: Vec<MomentTexels> =
             frame.now.clouds.iter().map(|cloud| moment_texels(cloud, &frame.view, &frame.now.light)).collect();
+        renewed |= self.write_shades(gpu, &frame.now.clouds, &mut moments)?;
         let mut poses: Vec<PoseTexels> = frame.list.poses.iter().map(pose_texels).collect();
         // Both orders show the same poses.
         let order = self.in_order(frame, &frame.list, &mut poses);
@@ -285,6 +214,38 @@ impl CloudData {
         Some(self.uploaded_baked.iter().find(|known| Arc::ptr_eq(&known.words, words))?.first as u32)
     }
 
+    /// What other clouds take of the light on each, if that is not what it was; tells `moments` where.
+    fn write_shades(
+        &mut self,
+        gpu: &Gpu,
+        clouds: &[CloudNow<'_>],
+        moments: &mut [MomentTexels],
+    ) -> Result<bool, RenderError> {
+        let mut nodes: Vec<[f32; 4]> = Vec::new();
+        for (cloud, moment) in clouds.iter().zip(moments) {
+            let Some(shade) = &cloud.shade else { continue };
+            let [columns, rows] = shade.size;
+            moment.shade_low = shade.low.to_array();
+            moment.shade_nodes_a_metre = shade.nodes_a_metre.to_array();
+            moment.shade_first_and_size = ((nodes.len() as u32) << 10) | (rows << 5) | columns;
+            nodes.extend(shade.nodes.iter().map(|[depth, stands, half]| [*depth, *stands, *half, 0.0]));
+        }
+        if nodes.is_empty() || nodes == self.held_shades {
+            return Ok(false);
+        }
+        let is_new = self.shades.write(gpu, &nodes)?;
+        self.bytes_uploaded += size_of_val(nodes.as_slice()) as u64;
+        self.held_shades = nodes;
+        Ok(is_new)
+    }
+
+    /// The sprites of the cloud of that index, as the shadows pass reads them.
+    pub(crate) fn casters_of(&self, index: usize, cloud: &CloudNow<'_>) -> Vec<Instance> {
+        let Some(first) = self.uploaded.get(index).map(|uploaded| uploaded.first_sprite) else { return Vec::new() };
+        let depths = cloud.placed.casts().depths.iter().zip(first..);
+        depths.map(|(depth, sprite)| [index as u32, sprite as u32, depth.to_bits()]).collect()
+    }
+
     /// What the air makes of the sprites of clouds of which it is not known yet.
     fn write_stirs(&mut self, gpu: &Gpu, clouds: &[PlacedCloud]) -> Result<bool, RenderError> {
         if self.uploaded.iter().all(|cloud| cloud.has_stirs) {
@@ -352,66 +313,4 @@ fn write_unknown<T: bytemuck::Pod, I: Iterator<Item = T>>(
     }
     write(begins_at, &mut run);
     bytes
-}
-
-fn sprite_texels(sprite: &Sprite, first_group: u32) -> SpriteTexels {
-    let (sin_rotation, cos_rotation) = libm::sincosf(sprite.rotation);
-    SpriteTexels {
-        position: sprite.position.to_array(),
-        width: sprite.width,
-        height: sprite.height,
-        sin_rotation,
-        cos_rotation,
-        group_and_tile: ((first_group + sprite.group) << 4) | u32::from(sprite.tile & 15),
-    }
-}
-
-fn group_texels(group: &Group) -> GroupTexels {
-    GroupTexels { center: group.center.to_array(), c: group.c, unused: [0.0; 2] }
-}
-
-fn baked_texels(words: &[u32]) -> BakedTexels {
-    BakedTexels(std::array::from_fn(|word| words.get(word).copied().unwrap_or_default()))
-}
-
-fn cloud_texels(cloud: &CloudNow<'_>, baked_from_sprites: u32) -> CloudTexels {
-    let (levels, cloud) = (cloud.color_levels(), cloud.placed);
-    let heights = levels.map(|level| level.height as f32);
-    let [h0, h1, h2, h3, level_height_4] = heights;
-    CloudTexels {
-        center: cloud.center.to_array(),
-        inverse_radius: if cloud.radius > 0.0 { 1.0 / cloud.radius } else { 0.0 },
-        bottom: cloud.bottom,
-        top: cloud.top,
-        level_height_4,
-        baked_from_sprites,
-        level_heights_0_to_3: [h0, h1, h2, h3],
-        level_colors: levels.map(|level| level.color.to_array()),
-    }
-}
-
-fn moment_texels(cloud: &CloudNow<'_>, view: &View, light: &Light) -> MomentTexels {
-    let Around { at: [a, b, c], share } = DIRECTIONS.around(cloud.in_model(cloud.direction_at_rest(light.direction)));
-    let soft_light = cloud.placed.soft_light;
-    let as_baked = |share: f32| if cloud.baked.is_some() { share } else { 0.0 };
-    MomentTexels {
-        from_eye: cloud.from_eye(view.eye).to_array(),
-        formed_core: cloud.formed.core,
-        formed_falloff: cloud.formed.falloff,
-        growth: cloud.growth,
-        opacity: cloud.opacity,
-        scale: cloud.scale,
-        turn: cloud.turn.sin_cos(),
-        reach_m: cloud.air.as_ref().map_or(-1.0, |air| air.reach_m),
-        self_shadow: as_baked(soft_light.self_shadow),
-        around: a | (b << 8) | (c << 16),
-        shares: share,
-        heading: cloud.placed.heading,
-        halo: as_baked(soft_light.halo),
-        unused: 0.0,
-    }
-}
-
-fn pose_texels(pose: &Pose) -> PoseTexels {
-    PoseTexels { towards: pose.towards.to_array(), fade: pose.fade, up: pose.up.to_array(), unused: 0.0 }
 }

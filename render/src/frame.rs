@@ -1,6 +1,7 @@
 //! THE RECIPE: the passes of a frame, top to bottom.
 //!
 //! ```text
+//! shadows    the clouds' on the ground, on a map of their own, when clouds or light have moved
 //! sky        covers the linear target
 //! models     over it, with depth, if there are any
 //! sprites    back to front over both, as far as they lie before the models
@@ -18,10 +19,12 @@ use crate::model_data::ModelData;
 use crate::pass::FrameBinding;
 use crate::pass::crossfade::CrossfadePass;
 use crate::pass::models::ModelsPass;
+use crate::pass::shadows::ShadowsPass;
 use crate::pass::sky::SkyPass;
 use crate::pass::sprites::SpritesPass;
 use crate::pass::tone_map::ToneMapPass;
 use crate::pass::veil::VeilPass;
+use crate::shadow_data::ShadowData;
 use crate::texture::Target;
 use crate::{Gpu, RenderError};
 use cloudwright_core::frame::Frame;
@@ -32,6 +35,7 @@ const CLEAR: wgpu::LoadOp<wgpu::Color> = wgpu::LoadOp::Clear(wgpu::Color::TRANSP
 #[derive(Debug)]
 pub(crate) struct Passes {
     frame: FrameBinding,
+    shadows: ShadowsPass,
     sky: SkyPass,
     models: ModelsPass,
     sprites: SpritesPass,
@@ -41,6 +45,7 @@ pub(crate) struct Passes {
     clouds: CloudData,
     atlas: AtlasTexture,
     models_in_view: ModelData,
+    casters: ShadowData,
     sprites_binding: wgpu::BindGroup,
     /// Of this frame: the share of the older order, if one fades out, and whether there is a veil.
     fading: Option<f32>,
@@ -61,12 +66,13 @@ pub(crate) struct Targets {
 }
 
 impl Passes {
-    pub(crate) fn new(gpu: &Gpu) -> Self {
+    pub(crate) fn new(gpu: &Gpu) -> Result<Self, RenderError> {
         let frame = FrameBinding::new(gpu);
         let sprites = SpritesPass::new(gpu, &frame);
+        let shadows = ShadowsPass::new(gpu, &frame, &sprites)?;
         let (clouds, atlas) = (CloudData::new(gpu), AtlasTexture::new(gpu));
-        Self {
-            sky: SkyPass::new(gpu, &frame),
+        Ok(Self {
+            sky: SkyPass::new(gpu, &frame, &shadows),
             models: ModelsPass::new(gpu, &frame),
             crossfade: CrossfadePass::new(gpu, &frame),
             veil: VeilPass::new(gpu, &frame),
@@ -77,9 +83,11 @@ impl Passes {
             clouds,
             atlas,
             models_in_view: ModelData::new(gpu),
+            casters: ShadowData::new(gpu),
+            shadows,
             fading: None,
             veiled: false,
-        }
+        })
     }
 
     /// Uploads what changed since the last frame.
@@ -90,6 +98,7 @@ impl Passes {
         if self.clouds.update(gpu, frame)? {
             self.sprites_binding = self.sprites.bind(gpu, &self.clouds, &self.atlas);
         }
+        self.casters.update(gpu, frame, &self.clouds)?;
         self.fading = frame.fading.as_ref().map(|(_, share)| *share);
         self.veiled = frame.veil.a > 0.0;
         Ok(())
@@ -97,7 +106,7 @@ impl Passes {
 
     /// By the last update: the clouds' data. Uniform and atlas are not counted.
     pub(crate) fn bytes_uploaded(&self) -> u64 {
-        self.clouds.bytes_uploaded
+        self.clouds.bytes_uploaded + self.casters.bytes_uploaded
     }
 
     pub(crate) fn targets(&self, gpu: &Gpu, size: [u32; 2]) -> Result<Targets, RenderError> {
@@ -124,6 +133,7 @@ impl Passes {
 
     /// A whole frame.
     pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, targets: &Targets) {
+        self.shadows.record(encoder, &self.frame, &self.casters, &self.sprites_binding);
         self.record_behind(encoder, &targets.linear.view, targets);
         if let Some((older, _)) = self.older(targets) {
             self.record_behind(encoder, older, targets);
@@ -139,7 +149,7 @@ impl Passes {
 
     /// Sky and models.
     fn record_behind(&self, encoder: &mut wgpu::CommandEncoder, target: &wgpu::TextureView, targets: &Targets) {
-        self.sky.record(encoder, &self.frame, target);
+        self.sky.record(encoder, &self.frame, &self.shadows, target);
         if let Some((depth, _)) = self.depth(targets) {
             self.models.record(encoder, &self.frame, &self.models_in_view, target, &depth.view);
         }

@@ -63,6 +63,14 @@ uniform! {
         moon_direction: [f32; 3],
         moon_radius: f32,
         celestial_from_world: [[f32; 4]; 3],
+        shadow_level: [f32; 3],
+        shadow_eye_x: f32,
+        shadow_upwards: [f32; 3],
+        shadow_eye_y: f32,
+        ground_without_sun: [f32; 3],
+        shadow_share: f32,
+        shadow_texel_m: [f32; 2],
+        unused: [f32; 2],
     }
 }
 
@@ -76,6 +84,10 @@ impl FrameUniform {
         let radiance = |color: Option<Rgb>| color.unwrap_or(Rgb::BLACK).to_array();
         let air = now.air();
         let night = dome.night.as_ref();
+        let plane = now.shadows.and_then(|shadows| shadows.plane);
+        let axes = now.shadows.map(|shadows| shadows.axes());
+        let eye = plane.as_ref().map_or([0.0; 2], |plane| plane.place(view.eye));
+        let axis = |i: usize| axes.map_or([0.0; 3], |axes| axes[i].to_array());
         let glow = |i: usize| radiance(night.map(|night| night.glow[i]));
         Self {
             right_in_world: view.right.to_array(),
@@ -121,6 +133,15 @@ impl FrameUniform {
             celestial_from_world: night.map_or([[0.0; 4]; 3], |night| {
                 night.celestial_from_world.to_cols_array_2d().map(|[x, y, z]| [x, y, z, 0.0])
             }),
+            shadow_level: axis(0),
+            shadow_eye_x: eye[0],
+            shadow_upwards: axis(1),
+            shadow_eye_y: eye[1],
+            // Without a map there are none on the ground.
+            ground_without_sun: radiance(ground.map(|g| plane.map_or(Rgb::grey(1.0), |_| g.without_sun))),
+            shadow_share: now.shadows.map_or(0.0, |shadows| shadows.share),
+            shadow_texel_m: plane.map_or([1.0; 2], |plane| plane.texel_m),
+            unused: [0.0; 2],
         }
     }
 }

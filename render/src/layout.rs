@@ -1,6 +1,6 @@
 //! How the Rust side lays out what shaders read, for the test that holds it against the shaders themselves.
 
-use crate::{cloud_data, frame_uniform};
+use crate::{frame_uniform, texels};
 
 /// Each member of the frame's uniform with its offset, bytes, in order.
 pub fn frame_uniform() -> Vec<(&'static str, usize)> {
@@ -14,16 +14,16 @@ pub fn frame_uniform_size() -> usize {
 
 /// Constants of the sprites' shader with the values that the Rust side computes by.
 pub fn sprite_constants() -> Vec<(&'static str, f64)> {
-    let texels = |size: usize| (size / size_of::<[u32; 4]>()) as f64;
+    let count = |size: usize| (size / size_of::<[u32; 4]>()) as f64;
     vec![
         ("DATA_ROW_BITS", f64::from(crate::texture::DATA_ROW_BITS)),
-        ("SPRITE_TEXELS", texels(size_of::<cloud_data::SpriteTexels>())),
-        ("GROUP_TEXELS", texels(size_of::<cloud_data::GroupTexels>())),
-        ("CLOUD_TEXELS", texels(size_of::<cloud_data::CloudTexels>())),
-        ("MOMENT_TEXELS", texels(size_of::<cloud_data::MomentTexels>())),
-        ("BAKED_TEXELS", texels(size_of::<cloud_data::BakedTexels>())),
-        ("STIR_TEXELS", texels(size_of::<cloud_data::StirTexel>())),
-        ("POSE_TEXELS", texels(size_of::<cloud_data::PoseTexels>())),
+        ("SPRITE_TEXELS", count(size_of::<texels::SpriteTexels>())),
+        ("GROUP_TEXELS", count(size_of::<texels::GroupTexels>())),
+        ("CLOUD_TEXELS", count(size_of::<texels::CloudTexels>())),
+        ("MOMENT_TEXELS", count(size_of::<texels::MomentTexels>())),
+        ("BAKED_TEXELS", count(size_of::<texels::BakedTexels>())),
+        ("STIR_TEXELS", count(size_of::<texels::StirTexel>())),
+        ("POSE_TEXELS", count(size_of::<texels::PoseTexels>())),
         ("FACES_EYE", f64::from(cloudwright_core::draw_list::FACES_EYE)),
         ("TILE_SIZE", cloudwright_core::sprites::TILE_SIZE as f64),
         ("GLOW_KEPT", f64::from(cloudwright_core::sky::GLOW_KEPT)),

@@ -29,6 +29,9 @@ mod pass;
 mod readback;
 mod renderer;
 pub mod shader;
+mod shadow_data;
+
+mod texels;
 mod texture;
 mod timing;
 

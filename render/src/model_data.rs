@@ -13,6 +13,8 @@ pub(crate) struct ModelInstance {
     scale: f32,
     /// A unit quaternion: x, y, z, w.
     turn: [f32; 4],
+    /// What the clouds' shadows leave of the directional light on it.
+    sunlit: f32,
 }
 
 /// All that the models pass reads.
@@ -51,6 +53,7 @@ impl ModelData {
                 from_eye: model.from_eye.to_array(),
                 scale: model.scale,
                 turn: model.turn.to_array(),
+                sunlit: model.sunlit,
             });
         }
         self.placed.write(gpu, &placed)

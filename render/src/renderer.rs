@@ -27,7 +27,7 @@ impl GpuRenderer {
     /// If the device is lost, or its driver refuses a shader.
     pub fn new(gpu: &Gpu) -> Result<Self, RenderError> {
         gpu.check()?;
-        let renderer = Self { passes: Passes::new(gpu), targets: None, timer: PassTimer::new(gpu) };
+        let renderer = Self { passes: Passes::new(gpu)?, targets: None, timer: PassTimer::new(gpu) };
         gpu.check()?;
         Ok(renderer)
     }

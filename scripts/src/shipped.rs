@@ -29,6 +29,7 @@ const PARTS: &[(&str, &str)] = &[
     ("cumulonimbus", include_str!("../plugins/parts/cumulonimbus.rhai")),
     ("cumulus", include_str!("../plugins/parts/cumulus.rhai")),
     ("deck", include_str!("../plugins/parts/deck.rhai")),
+    ("far", include_str!("../plugins/parts/far.rhai")),
     ("lens", include_str!("../plugins/parts/lens.rhai")),
     ("stratus", include_str!("../plugins/parts/stratus.rhai")),
 ];

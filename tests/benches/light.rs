@@ -16,6 +16,7 @@ use cloudwright_core::scene::Scene;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::{Atlas, balls_of};
 use cloudwright_core::watch::Watch;
+use cloudwright_core::weather::{Moment, SceneNow, WeatherRules};
 use cloudwright_tests::authoring;
 use glam::Vec3;
 use std::hint::black_box;
@@ -36,6 +37,7 @@ fn main() {
     bakes();
     directions();
     frames();
+    shadows();
 }
 
 fn placed(scene: &Scene) -> Derived {
@@ -126,5 +128,31 @@ fn frames() {
         });
         let ratio = with.as_secs_f64() / without.as_secs_f64();
         println!("{name}, 1280 x 720: {without:.1?} by groups, {with:.1?} with self-shadow, {ratio:.3} times");
+    }
+}
+
+/// What shadows cost a frame that moves: between clouds, and on the ground by the CPU's map; and a whole picture with them,
+/// in times of one without.
+fn shadows() {
+    for name in ["fair_weather", "cumulonimbus_dusk", "overcast", "summer_day"] {
+        let mut scene = scene(name);
+        let derived = Derived::new(&scene);
+        let moment = Moment { clock_s: 0.0, time_h: Some(16.0) };
+        let mut least = |share: f64| {
+            scene.sky.cloud_shadows = share;
+            let of = || SceneNow::new(&scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
+            let moments = (0..15).map(|_| took(of)).min().unwrap_or_default();
+            let now = of();
+            let maps = (0..15).map(|_| took(|| now.shadow_map())).min().unwrap_or_default();
+            let sight = Sight { moment, ..Sight::still(&scene.cameras[0], [960, 540]) };
+            let frame = || fast::picture(&Frame::new(&scene, &derived, Atlas::built_in(), &sight));
+            [moments, maps, (0..5).map(|_| took(frame)).min().unwrap_or_default()]
+        };
+        let ([without, _, plain], [with, map, shadowed]) = (least(0.0), least(1.0));
+        println!(
+            "{name}: shadows between clouds {:.2?}, the ground's map {map:.2?}; a picture {:.2} times",
+            with.saturating_sub(without),
+            shadowed.as_secs_f64() / plain.as_secs_f64()
+        );
     }
 }

@@ -6,7 +6,7 @@ Run by hand in the project's root; PyPI has Mitsuba 3 ready:
     python3 -m venv venv && venv/bin/pip install mitsuba pillow
     venv/bin/python tests/judges/light.py PROGRAM OUT_FOLDER [--spp 24] [--width 192] [SCENE:CAMERA:HH:MM …]
 
-For each view it exports the scene as Mitsuba volumes, has Mitsuba (scalar_rgb) render them with light that is scattered
+For each view it exports the scene's first cloud as Mitsuba volumes, has Mitsuba (scalar_rgb) render them with light that is scattered
 forward (Henyey and Greenstein's g = .85, no absorption), from a sun that gives 20 times what the sky does, and lets PROGRAM
 draw the same with self-shadow 0, with the scene's own, and with 1. It prints how the mean luminance of blocks of 8 x 8 pixels
 that are all cloud goes with Mitsuba's, as a correlation: that of the sun's layer of light by itself, and of all light; and
@@ -47,12 +47,9 @@ def run(*words):
     subprocess.run([arguments.program, *map(str, words)], check=True, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
-def largest_cloud(scene):
-    """The scene with one cloud: that of the model with most boxes."""
-    models = {model["id"]: model for model in scene["scene"]["models"]}
-    clouds = scene["scene"]["clouds"]
-    one = max(clouds, key=lambda cloud: (len(models[cloud["model"]].get("boxes", [])), cloud.get("scale", 1)))
-    scene["scene"]["clouds"] = [one]
+def first_cloud(scene):
+    """The scene with one cloud: its first, which its cameras are made for."""
+    scene["scene"]["clouds"] = scene["scene"]["clouds"][:1]
     scene["scene"]["tracks"] = []
     return scene
 
@@ -108,13 +105,13 @@ print(f"{'view':34} {'blocks':>6}  of the sun's light, with self-shadow 0, the s
 for view in arguments.views:
     scene_name, camera, hour = view.split(":", 2)
     name = f"{scene_name}_{camera}_{hour.replace(':', '')}"
-    scene = largest_cloud(json.loads(Path(f"assets/scenes/{scene_name}.cloudscene").read_text()))
+    scene = first_cloud(json.loads(Path(f"assets/scenes/{scene_name}.cloudscene").read_text()))
     files = []
     for share in (0, None, 1):
         for model in scene["scene"]["models"]:
             model["self_shadow"] = model.get("self_shadow", 0) if share is None else share
         if share is None:
-            scene = largest_cloud(json.loads(Path(f"assets/scenes/{scene_name}.cloudscene").read_text()))
+            scene = first_cloud(json.loads(Path(f"assets/scenes/{scene_name}.cloudscene").read_text()))
         file = arguments.out / f"{name}_{len(files)}.cloudscene"
         file.write_text(json.dumps(scene))
         files.append(file)

@@ -42,6 +42,7 @@ impl Board {
             from_eye: Vec3::NEG_Z * self.depth_m,
             turn: Quat::from_rotation_x(FRAC_PI_2),
             scale: 2.0 * self.half_side_m,
+            sunlit: 1.0,
         }
     }
 
@@ -62,11 +63,11 @@ impl Board {
     /// Sky, ground and board, and over them the sprites: each for itself, back to front.
     pub fn among_clouds(&self, frame: &Frame<'_>) -> LinearPicture {
         let (width, height) = (frame.view.width, frame.view.height);
-        let footprint = frame.view.pixel();
+        let (footprint, background) = (frame.view.pixel(), frame.behind());
         let behind = |i: usize| {
             let ray = ray(frame, i);
             let on_board = self.within(ray) > 0.0;
-            if on_board { self.shows(frame, ray) } else { frame.background.color(ray, footprint) }
+            if on_board { self.shows(frame, ray) } else { background.color(ray, footprint) }
         };
         let mut pixels: Vec<Rgb> = (0..(width * height) as usize).map(behind).collect();
         for (drawn, shown) in frame.list.sprites.iter().zip(prepare(frame)) {

@@ -10,18 +10,18 @@ use cloudwright_render::AdapterChoice;
 
 /// All that make a difference, and need no adapter.
 pub(crate) fn on_the_cpu() -> Vec<&'static Method> {
-    methods(|rasterizer| !matches!(rasterizer, Rasterizer::Plain | Rasterizer::Gpu))
+    methods().filter(|method| method.rules.rasterizer != Rasterizer::Gpu).collect()
 }
 
-/// The plain way is slow, and draws what “no-stop” draws.
-fn methods(is_meant: impl Fn(Rasterizer) -> bool) -> Vec<&'static Method> {
-    METHODS.iter().filter(|method| is_meant(method.rules.rasterizer)).collect()
+/// The plain way is slow, and draws what “no-stop” draws; and one truth takes long enough.
+fn methods() -> impl Iterator<Item = &'static Method> {
+    METHODS.iter().filter(|method| method.rules.rasterizer != Rasterizer::Plain && !method.rules.hazes_fragments())
 }
 
 /// Those of the methods `asked` for, or all that make a difference, ready to draw; and what is left out.
 pub(crate) fn charted<'a>(subject: &Subject<'a>, asked: &[&'static Method]) -> (Vec<Charted<'a>>, Vec<LeftOut>) {
     let (mut ready, mut left_out): (Vec<Charted<'a>>, Vec<LeftOut>) = Default::default();
-    let all = methods(|rasterizer| rasterizer != Rasterizer::Plain);
+    let all: Vec<_> = methods().collect();
     // A program that plays a GPU is worth a look only to someone who asks for it.
     let (methods, adapter) =
         if asked.is_empty() { (&all[..], AdapterChoice::HardwareOnly) } else { (asked, AdapterChoice::Any) };

@@ -3,8 +3,7 @@
 use super::html::Look;
 use cloudwright_core::image::Picture;
 use cloudwright_core::measure::{PIXELS_PER_DEGREE, flip};
-use cloudwright_core::method::{METHODS, Method};
-use cloudwright_core::rules::Rasterizer;
+use cloudwright_core::method::{Family, METHODS, Method};
 
 /// Pictures of one moment.
 #[derive(Debug, Clone)]
@@ -36,7 +35,7 @@ impl Pictures {
 
     /// As the page takes them: of the truth, whose picture stands at its top, only the words.
     pub fn looks(&self) -> Vec<Look<'_>> {
-        let truth = METHODS.iter().filter(|method| method.rules.rasterizer == Rasterizer::Truth);
+        let truth = METHODS.iter().filter(|method| method.family == Family::Truth);
         let truth = truth.map(|method| Look {
             name: method.name,
             family: method.family,

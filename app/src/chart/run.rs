@@ -199,12 +199,18 @@ impl<'a> Run<'a> {
 }
 
 impl Measured<'_> {
+    /// Whether it is what all are compared with.
     fn is_truth(&self) -> bool {
+        self.charted.method.family == Family::Truth
+    }
+
+    /// Whether the time of what is drawn for figures will do: it takes too long to be timed for itself.
+    fn is_slow(&self) -> bool {
         self.charted.method.rules.rasterizer == Rasterizer::Truth
     }
 
     fn time(&mut self, at_s: f64) -> Result<(), RenderError> {
-        if !self.is_truth() {
+        if !self.is_slow() {
             let times = self.charted.time(at_s)?;
             if let Some(round) = self.rounds.last_mut() {
                 round.push(times);
@@ -217,7 +223,7 @@ impl Measured<'_> {
 
     /// The median round's mean over its stops.
     fn cost(&self) -> Cost {
-        if self.is_truth() {
+        if self.is_slow() {
             let drawn: Vec<f64> = self.figures.frames.iter().filter_map(|frame| frame.drawn_ms).collect();
             return Cost { frame_ms: mean(&drawn), cpu_ms: mean(&drawn), ..Cost::default() };
         }

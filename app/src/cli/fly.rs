@@ -89,8 +89,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<(), Failure> {
     let painting = if arguments.layers { arguments.painter.in_layers(kind)? } else { arguments.painter.clone() };
     let mut rules = painting.rules()?;
     match arguments.sorting {
-        Some(SortingChoice::EachFrame) => rules.sorting = Sorting::EachFrame,
-        Some(SortingChoice::Crossfade) => rules.sorting = Sorting::Crossfade,
+        Some(SortingChoice::EachFrame) => rules = rules.sorted(Sorting::EachFrame),
+        Some(SortingChoice::Crossfade) => rules = rules.sorted(Sorting::Crossfade),
         None => {}
     }
     check_memory(arguments.size, rules.pixels_a_pixel(), if arguments.layers { IN_LAYERS } else { 1 })?;

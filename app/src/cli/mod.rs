@@ -10,6 +10,7 @@ mod edit;
 mod exchange;
 mod export;
 mod failure;
+mod fit_light;
 mod fly;
 mod formats;
 mod import;
@@ -67,6 +68,7 @@ fn perform(arguments: &Arguments) -> Result<(), Failure> {
         Some(Subcommand::Formats(arguments)) => formats::run(arguments),
         Some(Subcommand::Import(arguments)) => import::run(arguments),
         Some(Subcommand::Thin(arguments)) => thin::run(arguments),
+        Some(Subcommand::FitLight(arguments)) => fit_light::run(arguments),
         Some(Subcommand::Run(arguments)) => run::run(arguments),
         Some(Subcommand::Plugins(arguments)) => plugins::run(arguments),
         Some(Subcommand::Weather(arguments)) => weather::run(arguments),

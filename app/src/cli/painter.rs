@@ -57,7 +57,7 @@ impl PainterArguments {
             return Err(Failure::argument(what, "write OpenEXR: a name in .exr, or fly --format exr"));
         }
         let painter = self.in_software("--layers")?;
-        if matches!(painter.rules()?.rasterizer, Rasterizer::Fast { .. }) {
+        if matches!(painter.rules()?.rasterizer, Rasterizer::Fast(_)) {
             return Ok(painter);
         }
         Err(Failure::argument("--layers: this method keeps none", "leave --truth or --method out"))

@@ -1,6 +1,6 @@
 //! The subcommands, and what stands before them.
 
-use super::{chart, check, export, fly, formats, import, info, new, plugins, render, run, thin, weather};
+use super::{chart, check, export, fit_light, fly, formats, import, info, new, plugins, render, run, thin, weather};
 use crate::renderer::RendererChoice;
 use clap::Parser;
 use std::path::PathBuf;
@@ -57,6 +57,8 @@ pub(super) enum Subcommand {
     Formats(formats::Arguments),
     /// Drop the sprites that a scene can do without
     Thin(thin::Arguments),
+    /// Light clouds as nearly as they can be as a path tracer does
+    FitLight(fit_light::Arguments),
     /// Have a plugin make clouds, a look or weather
     Run(run::Arguments),
     /// List the plugins, or tell what can be set of one

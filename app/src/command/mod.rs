@@ -218,6 +218,7 @@ commands! {
         NewGroup: "New shading group", "Put the selected boxes or sprites into a shading group of their own.", ctrl(Key::G), Some(icon::CIRCLES_THREE_PLUS);
         Ungroup: "Leave the group", "Give the selected boxes or sprites their own groups back.", ctrl_shift(Key::G), None;
         AutoGroup: "Group automatically", "Split the selected model's sprites into shading groups of at most 30.", NONE, Some(icon::MAGIC_WAND);
+        FitLight: "Fit light…", "Light clouds as nearly as they can be as a path tracer does.", NONE, None;
         ThinOut: "Thin out…", "Drop the sprites that the scene can do without.", NONE, None;
         CopyLevels: "Copy colour levels", "Keep the selected model's colour levels for pasting.", NONE, None;
         PasteLevels: "Paste colour levels", "Give the selected models the colour levels that were copied.", NONE, None;
@@ -381,6 +382,11 @@ impl Row {
     /// The name without the dots of what asks first.
     pub fn label(&self) -> &'static str {
         self.name.trim_end_matches('…')
+    }
+
+    /// "Add cloud", not "Cloud": for where no menu stands around it.
+    pub fn full_label(&self) -> String {
+        if self.menu == Menu::Add { format!("Add {}", self.label().to_lowercase()) } else { self.label().into() }
     }
 }
 

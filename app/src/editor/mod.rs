@@ -13,6 +13,7 @@ mod done;
 mod exchange;
 mod file_flow;
 mod files;
+mod fit_light;
 mod flight;
 mod intent;
 mod layout;
@@ -60,6 +61,7 @@ use dialogs::Dialogs;
 use disk::Disk;
 use exchange::{Arriving, Leaving};
 use files::Waiting;
+use fit_light::FittingLight;
 use intent::Intent;
 use layout::Layout;
 use place_many::PlaceMany;
@@ -87,6 +89,7 @@ pub struct Editor {
     plugins: Plugins,
     writing: Writing,
     thinning: Option<Thinning>,
+    fitting_light: FittingLight,
     weather: WeatherReport,
     leaving: Leaving,
     arriving: Arriving,
@@ -145,6 +148,7 @@ impl Editor {
             plugins,
             writing: Writing::new(context),
             thinning: None,
+            fitting_light: FittingLight::default(),
             weather: WeatherReport::default(),
             leaving: Leaving::default(),
             arriving: Arriving::default(),
@@ -224,7 +228,8 @@ impl Editor {
         let exchanges = self.leaving.is_asking()
             || self.arriving.is_asking()
             || self.rendering.is_asking()
-            || self.filming.is_asking();
+            || self.filming.is_asking()
+            || self.fitting_light.is_asking();
         asks || exchanges || self.asks_by_showing() || self.dialogs.is_open()
     }
 
@@ -414,6 +419,7 @@ impl eframe::App for Editor {
         self.show_palette(&context);
         self.show_place_many(&context);
         self.show_thinning(&context);
+        self.show_fit_light(&context);
         self.show_weather_report(&context);
         self.show_leaving(&context);
         self.show_arriving(&context);

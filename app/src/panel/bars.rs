@@ -1,7 +1,7 @@
 //! Menus and toolbar: nothing but the command table, and the plugins that there are.
 
 use super::{menu_keys, plugin};
-use crate::command::{Command, Menu, Row, TABLE};
+use crate::command::{Command, Menu, TABLE};
 use crate::plugins::Library;
 use crate::state::{Action, CommandState};
 use crate::theme;
@@ -80,15 +80,10 @@ pub(crate) fn toolbar(ui: &mut Ui, state: &dyn Fn(Command) -> CommandState, acti
             }
             for row in group.iter().map(|command| command.row()) {
                 let text = theme::tool_text(row.icon.unwrap_or(row.name));
-                if offer(ui, row, Button::new(text), &tool_name(row), state(row.command)) {
+                if offer(ui, row, Button::new(text), &row.full_label(), state(row.command)) {
                     actions.push(Action::Command(row.command));
                 }
             }
         }
     });
-}
-
-/// "Add cloud", not "Cloud": a button has no menu around it.
-fn tool_name(row: &Row) -> String {
-    if row.menu == Menu::Add { format!("Add {}", row.label().to_lowercase()) } else { row.label().into() }
 }

@@ -10,6 +10,7 @@ mod arguments;
 mod bad_scenes;
 mod chart;
 mod exchange;
+mod fit_light;
 mod fly;
 mod frames;
 mod gpu;

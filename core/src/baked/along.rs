@@ -21,38 +21,58 @@ pub(super) struct Along {
     balls: Vec<Met>,
 }
 
-/// A ball as rays of one direction meet it, with all of [`Ball::depth_beyond`] that is the same for them.
+/// Balls that a ray looks at side by side.
+const LANES: usize = 8;
+
+/// Balls as rays of one direction meet them, with all of [`Ball::depth_beyond`] that is the same for those. A place that no
+/// ball has is deep by nothing.
 #[derive(Debug, Clone, Copy)]
 struct Met {
-    /// How far along the direction it reaches, metres.
+    /// How far along the direction any of them reaches, metres.
     reaches: f32,
-    center: Vec3,
-    inverse_half: [f32; 2],
-    /// The direction in its own space, unit.
-    along: Vec3,
-    /// Three quarters of its depth.
-    depth: f32,
+    center: [[f32; LANES]; 3],
+    /// Across and upwards.
+    inverse_half: [[f32; LANES]; 2],
+    /// The direction in each one's own space, unit.
+    along: [[f32; LANES]; 3],
+    /// Three quarters of their depths.
+    depth: [f32; LANES],
 }
 
 impl Met {
-    fn new(ball: &Ball, direction: Vec3, reaches: f32) -> Self {
-        let [across, upwards] = ball.inverse_half;
-        let along = Vec3::new(direction.x * across, direction.y * upwards, direction.z * across);
-        Self {
-            reaches,
-            center: ball.center,
-            inverse_half: ball.inverse_half,
-            along: along / along.length_squared().sqrt(),
-            depth: 0.75 * ball.depth,
+    const NONE: Self = Self {
+        reaches: f32::MIN,
+        center: [[0.0; LANES]; 3],
+        inverse_half: [[1.0; LANES]; 2],
+        along: [[0.0; LANES]; 3],
+        depth: [0.0; LANES],
+    };
+
+    fn set(&mut self, lane: usize, ball: &Ball, along: Vec3) {
+        for axis in 0..3 {
+            (self.center[axis][lane], self.along[axis][lane]) = (ball.center[axis], along[axis]);
         }
+        (self.inverse_half[0][lane], self.inverse_half[1][lane]) = (ball.inverse_half[0], ball.inverse_half[1]);
+        self.depth[lane] = 0.75 * ball.depth;
     }
 
-    /// As [`Ball::depth_beyond`].
+    /// The sum of all [`Ball::depth_beyond`]: the same sums, place by place, so that a processor does them side by side.
     #[inline]
     fn depth_beyond(&self, point: Vec3) -> f32 {
-        let [across, upwards] = self.inverse_half;
-        let off = point - self.center;
-        self.depth * beyond(Vec3::new(off.x * across, off.y * upwards, off.z * across), self.along)
+        let Self { center, inverse_half: [across, upwards], along, depth, .. } = self;
+        let (mut begins, mut squared) = ([0.0; LANES], [0.0; LANES]);
+        for lane in 0..LANES {
+            let x = (point.x - center[0][lane]) * across[lane];
+            let y = (point.y - center[1][lane]) * upwards[lane];
+            let z = (point.z - center[2][lane]) * across[lane];
+            begins[lane] = x * along[0][lane] + y * along[1][lane] + z * along[2][lane];
+            squared[lane] = x * x + y * y + z * z;
+        }
+        let mut depths = [0.0; LANES];
+        for lane in 0..LANES {
+            depths[lane] = depth[lane] * beyond(begins[lane], squared[lane]);
+        }
+        depths.iter().sum()
     }
 }
 
@@ -79,26 +99,40 @@ impl Along {
         along
     }
 
+    /// Counts each cell's balls, then puts them where they belong, the farthest reaching first.
     fn fill(&mut self, balls: &[Ball], on_plane: impl Fn(&Ball) -> Vec2) {
-        let mut entries: Vec<(u32, f32, u32)> = Vec::new();
-        for (index, ball) in balls.iter().enumerate().filter(|(_, ball)| ball.depth > 0.0) {
-            let at = on_plane(ball);
-            let ([left, top], [right, bottom]) = (self.cell(at - ball.reach()), self.cell(at + ball.reach()));
-            let reaches = ball.center.dot(self.direction) + ball.reach();
-            for row in top..=bottom {
-                let cells = (left..=right).map(|column| (row * self.size[0] + column) as u32);
-                entries.extend(cells.map(|cell| (cell, reaches, index as u32)));
+        let mut in_order: Vec<(f32, &Ball)> = balls
+            .iter()
+            .filter(|ball| ball.depth > 0.0)
+            .map(|ball| (ball.center.dot(self.direction) + ball.reach(), ball))
+            .collect();
+        in_order.sort_by(|(a, _), (b, _)| b.total_cmp(a));
+        let width = self.size[0];
+        let covered = |along: &Self, ball: &Ball| {
+            let (at, reach) = (on_plane(ball), ball.reach());
+            let ([left, top], [right, bottom]) = (along.cell(at - reach), along.cell(at + reach));
+            (top..=bottom).flat_map(move |row| row * width + left..row * width + right + 1)
+        };
+        let mut counts = vec![0_usize; self.size[0] * self.size[1]];
+        for (_, ball) in &in_order {
+            covered(self, ball).for_each(|cell| counts[cell] += 1);
+        }
+        for (cell, count) in counts.iter_mut().enumerate() {
+            self.begins[cell + 1] = self.begins[cell] + count.div_ceil(LANES) as u32;
+            *count = 0;
+        }
+        let chunks = self.begins.last().map_or(0, |end| *end as usize);
+        let mut met = vec![Met::NONE; chunks];
+        for (reaches, ball) in in_order {
+            let along = ball.along(self.direction);
+            for cell in covered(self, ball) {
+                let at = &mut met[self.begins[cell] as usize + counts[cell] / LANES];
+                at.set(counts[cell] % LANES, ball, along);
+                at.reaches = at.reaches.max(reaches);
+                counts[cell] += 1;
             }
         }
-        entries.sort_unstable_by(|a, b| a.0.cmp(&b.0).then(b.1.total_cmp(&a.1)).then(a.2.cmp(&b.2)));
-        for (cell, ..) in &entries {
-            self.begins[*cell as usize + 1] += 1;
-        }
-        for cell in 1..self.begins.len() {
-            self.begins[cell] += self.begins[cell - 1];
-        }
-        let met = |(_, reaches, index): (u32, f32, u32)| Met::new(&balls[index as usize], self.direction, reaches);
-        self.balls = entries.into_iter().map(met).collect();
+        self.balls = met;
     }
 
     fn cell(&self, at: Vec2) -> [usize; 2] {

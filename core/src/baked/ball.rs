@@ -47,6 +47,13 @@ impl Ball {
         Vec3::new(1.0 / across, 1.0 / upwards, 1.0 / across)
     }
 
+    /// Half of what it measures across a direction: along the level, and along what looks up from that, metres.
+    pub fn half_across(&self, direction: Vec3) -> [f32; 2] {
+        let Vec3 { x: across, y: upwards, .. } = self.half();
+        let level_squared = (1.0 - direction.y * direction.y).max(0.0);
+        [across, (across * across * direction.y * direction.y + upwards * upwards * level_squared).sqrt()]
+    }
+
     /// Extinction at a point, 1/m along `ray`.
     pub fn extinction(&self, point: Vec3, ray: Ray) -> f32 {
         let from_middle = self.in_own_space(point - self.center);
@@ -57,9 +64,16 @@ impl Ball {
     /// Optical depth of what of it lies along `ray` from `point` on.
     #[inline]
     pub fn depth_beyond(&self, point: Vec3, ray: Ray) -> f32 {
-        let along = self.in_own_space(ray.direction);
-        let along = along / along.length_squared().sqrt();
-        0.75 * self.depth * beyond(self.in_own_space(point - self.center), along)
+        let along = self.along(ray.direction);
+        let from_middle = self.in_own_space(point - self.center);
+        0.75 * self.depth * beyond(from_middle.dot(along), from_middle.length_squared())
+    }
+
+    /// A direction in its own space, unit.
+    #[inline]
+    pub(super) fn along(&self, direction: Vec3) -> Vec3 {
+        let along = self.in_own_space(direction);
+        along / along.length_squared().sqrt()
     }
 
     #[inline]
@@ -76,18 +90,14 @@ impl Ray {
     }
 }
 
-/// Of a ball of half size 1 whose extinction falls as 1 − r², what lies beyond `from_middle` along a unit vector.
+/// Of a ball of half size 1 whose extinction falls as 1 − r², what lies beyond a point along a ray, which `begins` so far
+/// from where it is nearest to the middle, and at that distance, `squared`, from the middle.
 #[inline]
-pub(super) fn beyond(from_middle: Vec3, along: Vec3) -> f32 {
-    // Where the ray begins, from where it is nearest to the middle.
-    let begins = from_middle.dot(along);
-    // 1 − (the square of that least distance).
-    let within = 1.0 - (from_middle.length_squared() - begins * begins);
-    if within <= 0.0 {
-        return 0.0;
-    }
+pub(super) fn beyond(begins: f32, squared: f32) -> f32 {
+    // Where the ray passes by, its chord is a point, beyond which lies nothing.
+    let within = (1.0 - (squared - begins * begins)).max(0.0);
     let half_chord = within.sqrt();
-    let from = begins.clamp(-half_chord, half_chord);
+    let from = begins.max(-half_chord).min(half_chord);
     let sum = |t: f32| t * (within - t * t * (1.0 / 3.0));
     sum(half_chord) - sum(from)
 }

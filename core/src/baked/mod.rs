@@ -8,9 +8,11 @@
 mod along;
 mod ball;
 mod directions;
+mod gathered;
 
 pub use ball::{Ball, Ray};
 pub use directions::{Around, Directions};
+pub use gathered::gathered;
 
 use crate::watch::Watch;
 use along::Along;

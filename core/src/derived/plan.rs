@@ -204,7 +204,20 @@ impl<'a> Plan<'a> {
         };
         let timeline = if retimes { Arc::new(Timeline::new(scene)) } else { Arc::clone(&before.timeline) };
         let bakes_on_demand = false;
-        Some(Derived { index, shapes, timeline, clouds, sources, version, populated: kept, work, bakes_on_demand })
+        let shadow_map = before.shadow_map.clone();
+        let populated = kept;
+        Some(Derived {
+            index,
+            shapes,
+            timeline,
+            clouds,
+            sources,
+            version,
+            populated,
+            work,
+            bakes_on_demand,
+            shadow_map,
+        })
     }
 }
 

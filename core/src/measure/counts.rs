@@ -33,9 +33,14 @@ const SPRITE_IN_ORDER_BYTES: u64 = 12;
 /// … how one near the eye faces it, …
 const POSE_BYTES: u64 = 32;
 /// … and where a cloud is from the eye, how it is turned and how far it has formed.
-const MOMENT_BYTES: u64 = 80;
+const MOMENT_BYTES: u64 = 96;
+/// What other clouds take of the light over one, a node; it is sent when light or clouds have moved.
+const SHADE_BYTES: u64 = 16;
+/// For each state of the clouds: the light that is baked of a sprite of a model, …
 const BAKED_BYTES: u64 = 64;
-/// For each state of the clouds: a sprite, …
+/// … which of a cloud's sprites cast a shadow on the ground, if any does, …
+const CASTER_BYTES: u64 = 12;
+/// … a sprite, …
 const SPRITE_BYTES: u64 = 32;
 /// … what the air makes of it, if there is weather, …
 const STIR_BYTES: u64 = 16;
@@ -62,8 +67,12 @@ impl Counts {
             overdraw_p99: overdraw.percentile(0.99),
             bytes_uploaded: sprites * SPRITE_IN_ORDER_BYTES
                 + frame.list.poses.len() as u64 * POSE_BYTES
-                + clouds * MOMENT_BYTES,
-            bytes_of_clouds: bytes_of_change(&[], frame.clouds) + bytes_of_stirs(frame) + bytes_of_baked(frame),
+                + clouds * MOMENT_BYTES
+                + bytes_of_shades(frame),
+            bytes_of_clouds: bytes_of_change(&[], frame.clouds)
+                + bytes_of_stirs(frame)
+                + bytes_of_baked(frame)
+                + bytes_of_casters(frame),
             keys_sorted: sprites,
         }
     }
@@ -113,8 +122,23 @@ fn bytes_of_baked(frame: &Frame<'_>) -> u64 {
     known.iter().map(|words| (words.len() / WORDS) as u64 * BAKED_BYTES).sum()
 }
 
+/// Of what clouds take of the light over others.
+fn bytes_of_shades(frame: &Frame<'_>) -> u64 {
+    let shades = frame.now.clouds.iter().filter_map(|cloud| cloud.shade.as_ref());
+    shades.map(|shade| shade.nodes.len() as u64 * SHADE_BYTES).sum()
+}
+
+/// Of the sprites that cast a shadow on the ground; nothing without one.
+fn bytes_of_casters(frame: &Frame<'_>) -> u64 {
+    let falls = frame.background.ground.is_some() && frame.now.shadows.is_some_and(|shadows| shadows.plane.is_some());
+    if falls { sprites_of(frame.clouds) * CASTER_BYTES } else { 0 }
+}
+
+fn sprites_of(clouds: &[PlacedCloud]) -> u64 {
+    clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum()
+}
+
 /// Of what the air makes of each sprite; nothing of a scene without weather.
 fn bytes_of_stirs(frame: &Frame<'_>) -> u64 {
-    let sprites = |clouds: &[PlacedCloud]| clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum::<u64>();
-    if frame.now.air().is_some() { sprites(frame.clouds) * STIR_BYTES } else { 0 }
+    if frame.now.air().is_some() { sprites_of(frame.clouds) * STIR_BYTES } else { 0 }
 }

@@ -11,7 +11,7 @@
 
 use crate::frame::Frame;
 use crate::raster::fast::clouds;
-use crate::rules::NEVER_STOP;
+use crate::rules::Blending;
 use crate::scene::Camera;
 use glam::DVec3;
 
@@ -58,7 +58,7 @@ pub fn coverage<'a>(
     for (heading_deg, pitch_deg) in [(0.0, 90.0), (0.0, 0.0), (90.0, 0.0), (180.0, 0.0), (270.0, 0.0)] {
         let camera = Camera { heading_deg, pitch_deg, field_of_view_deg: 90.0, ..Camera::free(observer) };
         let frame = frame(&camera, [side, side]);
-        for (pixel, i) in clouds(&frame, NEVER_STOP).pixels.iter().zip(0_u32..) {
+        for (pixel, i) in clouds(&frame, Blending::AS_PLAIN).pixels.iter().zip(0_u32..) {
             let ray = frame.view.ray((i % side) as f32 + 0.5, (i / side) as f32 + 0.5);
             let distance = ray.length();
             // The rays end on a plane at distance 1, seen at a slant: d²ω = d²A cos/distance² = d²A/distance³.

@@ -5,7 +5,7 @@ use crate::detail::Detail;
 use crate::draw_list::Sorting;
 use crate::facing::FacingRule;
 use crate::raster::truth::SIDE;
-use crate::rules::{Filter, NEVER_STOP, Rasterizer, Rules};
+use crate::rules::{Blending, Filter, FragmentOrder, HazeRule, NEVER_STOP, Rasterizer, Rules};
 use crate::variants::{
     LOCK_WITHOUT_FADE, NO_LOCK, SIMGEAR, SKYWORKS, STEPPED_10, STEPPED_AS_PRINTED, STEPPED_MENDED, VIEW_PLANE,
     WANGS_DOT_PRODUCT,
@@ -13,6 +13,8 @@ use crate::variants::{
 use crate::weather::{FormingRule, Stepped, StreamingRule};
 
 const OURS: Rules = Rules::SHIPPED;
+/// In the order of whole sprites: what the ways of sorting are about.
+const BY_SPRITES: Rules = with(Rasterizer::Fast(Blending { order: FragmentOrder::OfSprites, ..Blending::SHIPPED }));
 
 /// The row of the truth.
 pub(super) const TRUTH: Method = Method {
@@ -25,7 +27,8 @@ pub(super) const TRUTH: Method = Method {
 /// The row of what is shipped.
 pub(super) const SHIPPED: Method = Method {
     name: "fast",
-    about: "What Cloudwright draws with on the CPU: sorted each frame, one sample a pixel, done where nothing more shows.",
+    about: "What Cloudwright draws with on the CPU: sorted each frame, where quads cross pixel by pixel, one sample each, done \
+            where nothing more shows.",
     family: Family::Shipped,
     rules: OURS,
 };
@@ -46,10 +49,15 @@ pub const METHODS: &[Method] = &[
         Rules { samples_side: 2, ..OURS },
     ),
     other(
+        "by-sprites",
+        "The fast way in the order of whole sprites, by the distances of their centres: wrong where quads cross.",
+        BY_SPRITES,
+    ),
+    other(
         "crossfade",
         "The order is kept for half a second and faded over to the next, as Wang suggests: nothing pops, but the order is \
          old, and two are drawn.",
-        Rules { sorting: Sorting::Crossfade, ..OURS },
+        Rules { sorting: Sorting::Crossfade, ..BY_SPRITES },
     ),
     other("no-stop", "The fast way to the last sprite, hidden or not.", fast(NEVER_STOP)),
     other(
@@ -77,6 +85,11 @@ pub const METHODS: &[Method] = &[
         "Texels of the finest level only: sharper near by, but what is far steps over most of them and shimmers.",
         Rules { filter: Filter::FinestLevel, ..OURS },
     ),
+    other(
+        "haze-a-fragment",
+        "The truth with haze taken where each ray meets a sprite: by how much it differs is what one haze a sprite costs.",
+        Rules { haze: HazeRule::AFragment, ..TRUTH.rules },
+    ),
     failing(
         "eight-bits",
         "Every sprite is blended into 8 bits a channel: roundings add up to bands.",
@@ -101,12 +114,12 @@ pub const METHODS: &[Method] = &[
     failing(
         "lazy-skyworks",
         "Sorted again after 10 m of travel or 36.9° of turn, as SkyWorks does: late, then all at once.",
-        Rules { sorting: Sorting::Lazy(SKYWORKS), ..OURS },
+        Rules { sorting: Sorting::Lazy(SKYWORKS), ..BY_SPRITES },
     ),
     failing(
         "lazy-simgear",
         "One pass of bubble sort a frame, as SimGear does: the order lags behind.",
-        Rules { sorting: Sorting::Lazy(SIMGEAR), ..OURS },
+        Rules { sorting: Sorting::Lazy(SIMGEAR), ..BY_SPRITES },
     ),
     failing(
         "stepped-as-printed",
@@ -138,7 +151,7 @@ const fn with(rasterizer: Rasterizer) -> Rules {
 }
 
 const fn fast(stop_below: f32) -> Rules {
-    with(Rasterizer::Fast { stop_below })
+    with(Rasterizer::Fast(Blending { stop_below, ..Blending::SHIPPED }))
 }
 
 const fn facing(facing: FacingRule) -> Rules {

@@ -13,6 +13,7 @@ use crate::derived::Derived;
 use crate::draw_list::DrawSprite;
 use crate::frame::Frame;
 use crate::image::{LayeredPixel, Layers};
+use crate::rules::Blending;
 use crate::scene::Scene;
 use crate::sight::Sight;
 use crate::sky::{BackgroundRows, haze_share};
@@ -38,13 +39,13 @@ impl<'a> Later<'a> {
     }
 }
 
-/// The frame in layers, with pixels done when less than `stop_below` gets through. Motion is that until `later`, of
+/// The frame in layers, with pixels done when less than `blending` gets through. Motion is that until `later`, of
 /// the same scene.
-pub fn layers(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
-    faded(frame, |frame| in_order(frame, later, stop_below), Layers::mix)
+pub fn layers(frame: &Frame<'_>, later: &Later<'_>, blending: Blending) -> Layers {
+    faded(frame, |frame| in_order(frame, later, blending), Layers::mix)
 }
 
-fn in_order(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
+fn in_order(frame: &Frame<'_>, later: &Later<'_>, blending: Blending) -> Layers {
     let sprites = &prepare(frame);
     let drawn = frame.list.sprites.par_iter().zip(sprites).with_min_len(256);
     let lights: Vec<[Glow; LIGHTS]> = drawn.map(|(drawn, sprite)| lights(frame, later, drawn, sprite)).collect();
@@ -56,7 +57,8 @@ fn in_order(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
         // The air around the eye is no distance away, and goes with it.
         veil: ([ambient, frame.veil_directional, Rgb::BLACK, Rgb::BLACK], veil.a),
     };
-    let background = BackgroundRows::new(&frame.background, &frame.view);
+    let behind_all = frame.behind();
+    let background = BackgroundRows::new(&behind_all, &frame.view);
     let finish = |rect: TileRect, row: u32, clouds: &TileRow<'_, LIGHTS>, out: &mut [LayeredPixel]| {
         let (left, y) = (rect.left, rect.top + row);
         let mut behind: Planes<32> = [[0.0; 32]; 3];
@@ -89,7 +91,7 @@ fn in_order(frame: &Frame<'_>, later: &Later<'_>, stop_below: f32) -> Layers {
             };
         }
     };
-    let pixels = draw_lights(frame, &lit, stop_below, LayeredPixel::default(), finish);
+    let pixels = draw_lights(frame, &lit, blending, LayeredPixel::default(), finish);
     Layers { width: frame.view.width, height: frame.view.height, pixels }
 }
 

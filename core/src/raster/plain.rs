@@ -48,11 +48,11 @@ pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
     let models: Vec<_> =
         (0..frame.view.width * frame.view.height).map(|i| placed.nearest(center(i)[0], center(i)[1])).collect();
     let Layer { width, height, pixels } = faded(frame, |frame| in_order(frame, &models), Layer::mix);
-    let footprint = frame.view.pixel();
+    let (background, footprint) = (frame.behind(), frame.view.pixel());
     let pixels = pixels.into_iter().zip(models).zip(0_u32..).map(|((cloud, model), i)| {
         let [x, y] = center(i);
         let behind = model.map(|(_, color)| color);
-        cloud.over(behind.unwrap_or_else(|| frame.background.color(frame.view.ray(x, y), footprint)))
+        cloud.over(behind.unwrap_or_else(|| background.color(frame.view.ray(x, y), footprint)))
     });
     LinearPicture { width, height, pixels: pixels.collect() }
 }

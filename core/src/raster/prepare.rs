@@ -116,7 +116,12 @@ fn screen_sprite(frame: &Frame<'_>, dome: &DomeTables, drawn: &DrawSprite, fade:
     let PosedSprite { sprite, facing, .. } = posed;
     let quad = posed.corners(drawn.center);
 
-    let hazed = haze_share(drawn.center.length(), frame.background.haze_length_m);
+    let hazed = if frame.rules.hazes_fragments() {
+        // Each fragment takes its own.
+        0.0
+    } else {
+        haze_share(drawn.center.length(), frame.background.haze_length_m)
+    };
     let haze_color = dome.horizon(drawn.center);
     let lit = quad.map(|corner| {
         let color = posed.light_at(corner - drawn.center).color();
@@ -234,6 +239,19 @@ impl ScreenSprite {
         let (u, v, depth) = (self.u.at(x, y) * inverse, self.v.at(x, y) * inverse, self.depth * inverse);
         let inside = (0.0..=1.0).contains(&u) && (0.0..=1.0).contains(&v) && depth >= NEAR_M;
         inside.then_some(Hit { u, v, depth })
+    }
+
+    /// One over the view depth of its plane at a pixel coordinate, 1/m: linear, and what fragments are ordered by. A plane
+    /// through the eye shows nothing, and is 0 everywhere.
+    #[inline]
+    pub fn nearness(&self, x: f32, y: f32) -> f32 {
+        self.denominator.at(x - self.anchor.x, y - self.anchor.y) * self.nearness_of_one()
+    }
+
+    /// The nearness for each unit of the denominator.
+    #[inline]
+    pub fn nearness_of_one(&self) -> f32 {
+        if self.depth == 0.0 { 0.0 } else { 1.0 / self.depth }
     }
 
     /// What it shows there at a mip level; nothing where it is clear.

@@ -12,7 +12,9 @@ use crate::color::{Premultiplied, Rgb};
 use crate::draw_list::SpritesAlone;
 use crate::frame::Frame;
 use crate::image::{Layer, LinearPicture};
+use crate::sky::{Background, haze_share};
 use crate::watch::Watch;
+use glam::Vec3;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Where less than this gets through, what lies behind is lost in the rounding of what lies before.
@@ -36,7 +38,7 @@ pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, watch: &Watch) -> (Linea
     let (width, height) = (frame.view.width, frame.view.height);
     let alone = frame.list.sprites_alone();
     let (sprites, places) = (prepare_alone(frame, alone), places_in_scene(alone));
-    let models = Models::new(frame);
+    let (models, behind) = (Models::new(frame), frame.behind());
     let (done, count) =
         (AtomicUsize::new(0), width.div_ceil(TILE as u32) as usize * height.div_ceil(TILE as u32) as usize);
     let drawn = map_tiles(&sprites, width, height, |rect, members| {
@@ -45,7 +47,7 @@ pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, watch: &Watch) -> (Linea
         }
         let side = side.max(1);
         let models = models.as_ref().and_then(|models| models.tile(rect, side));
-        let tile = Tile { frame, sprites: &sprites, places: &places, members, side, rect, models };
+        let tile = Tile { frame, behind: &behind, sprites: &sprites, places: &places, members, side, rect, models };
         let pixels = (0..rect.width * rect.height)
             .map(|i| tile.pixel(rect.left + i % rect.width, rect.top + i / rect.width))
             .collect();
@@ -55,6 +57,27 @@ pub fn picture_and_clouds(frame: &Frame<'_>, side: u32, watch: &Watch) -> (Linea
     let pixels = assemble(&drawn, width, height, Pixel::default());
     let picture = LinearPicture { width, height, pixels: pixels.iter().map(|pixel| pixel.color).collect() };
     (picture, Layer { width, height, pixels: pixels.into_iter().map(|pixel| pixel.clouds).collect() })
+}
+
+/// Before the fragments of one ray.
+#[derive(Clone, Copy)]
+struct Haze {
+    color: Rgb,
+    length_m: f32,
+    /// Of the ray, for each metre of view depth.
+    metres: f32,
+}
+
+impl Haze {
+    fn along(ray: Vec3, behind: &Background) -> Self {
+        Self { color: behind.dome.horizon(ray), length_m: behind.haze_length_m, metres: ray.length() }
+    }
+
+    fn before(&self, Premultiplied { r, g, b, a }: Premultiplied, depth: f32) -> Premultiplied {
+        let share = haze_share(depth * self.metres, self.length_m);
+        let color = Rgb::new(r, g, b) * (1.0 - share) + self.color * (share * a);
+        Premultiplied { r: color.r, g: color.g, b: color.b, a }
+    }
 }
 
 /// What a sample or a pixel shows.
@@ -88,6 +111,7 @@ fn places_in_scene(sprites: SpritesAlone<'_>) -> Vec<[u32; 2]> {
 /// What a tile's pixels are made from.
 struct Tile<'a> {
     frame: &'a Frame<'a>,
+    behind: &'a Background,
     sprites: &'a [ScreenSprite],
     places: &'a [[u32; 2]],
     members: &'a [u32],
@@ -128,16 +152,23 @@ impl Tile<'_> {
         let view = &self.frame.view;
         hits.clear();
         hits.extend(members.iter().filter_map(|&member| Some((self.sprites[member as usize].hit(x, y)?, member))));
-        let clouds = self.blended(hits, spacing, None);
+        let haze =
+            (self.frame.rules.hazes_fragments() && !hits.is_empty()).then(|| Haze::along(view.ray(x, y), self.behind));
+        let clouds = self.blended(hits, (spacing, haze), None);
         let Some((nearness, color)) = model else {
-            let behind = self.frame.background.color(view.ray(x, y), view.pixel() * spacing);
+            let behind = self.behind.color(view.ray(x, y), view.pixel() * spacing);
             return Pixel { color: clouds.over(behind), clouds };
         };
-        Pixel { color: self.blended(hits, spacing, Some(nearness)).over(color), clouds }
+        Pixel { color: self.blended(hits, (spacing, haze), Some(nearness)).over(color), clouds }
     }
 
     /// The fragments that a ray `hits`, over one another; as far as they lie before a model, if there is one.
-    fn blended(&self, hits: &mut [(Hit, u32)], spacing: f32, model_nearness: Option<f32>) -> Premultiplied {
+    fn blended(
+        &self,
+        hits: &mut [(Hit, u32)],
+        (spacing, haze): (f32, Option<Haze>),
+        model_nearness: Option<f32>,
+    ) -> Premultiplied {
         // Nearest first; of equally near ones the list draws the later one over the earlier.
         let place = |member: u32| self.places[member as usize];
         let compare = |(a, i): &(Hit, u32), (b, j): &(Hit, u32)| {
@@ -157,6 +188,7 @@ impl Tile<'_> {
                 let sprite = &self.sprites[*member as usize];
                 let shown = sprite.shown(self.frame.atlas, *u, *v, sprite.mip_at(*depth, spacing));
                 let Some(fragment) = shown else { continue };
+                let fragment = haze.map_or(fragment, |haze| haze.before(fragment, *depth));
                 let among = |near| before(fragment, near, *depth, sprite.half_depth_m);
                 put_behind(&mut clouds, model_nearness.map_or(fragment, among));
             }

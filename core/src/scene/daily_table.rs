@@ -7,8 +7,12 @@ use serde::{Deserialize, Serialize};
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct DailyKey<T> {
-    /// Local civil hours in [0, 24).
+    /// Local civil hours in [0, 24). Of a key that goes by the sun, about when: it tells morning from evening, and holds where
+    /// the sun is set by hand.
     pub hour: f64,
+    /// Elevation of the sun, degrees, at which the key stands in place of its hour.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sun_deg: Option<f64>,
     /// The value at that hour.
     pub value: T,
 }
@@ -24,12 +28,12 @@ pub struct DailyTable<T> {
 impl<T: Copy + Default> DailyTable<T> {
     /// The same value all day.
     pub fn constant(value: T) -> Self {
-        Self { keys: vec![DailyKey { hour: 0.0, value }] }
+        Self { keys: vec![DailyKey { hour: 0.0, sun_deg: None, value }] }
     }
 
     /// A table from hours and values.
     pub fn new(keys: impl IntoIterator<Item = (f64, T)>) -> Self {
-        Self { keys: keys.into_iter().map(|(hour, value)| DailyKey { hour, value }).collect() }
+        Self { keys: keys.into_iter().map(|(hour, value)| DailyKey { hour, sun_deg: None, value }).collect() }
     }
 
     /// The value at `hour` (any number; taken modulo 24), by `mix(from, to, t)` between the keys around it.

@@ -1,6 +1,6 @@
 //! Light, air, exposure and ground.
 
-use super::DailyTable;
+use super::{DailyKey, DailyTable};
 use crate::color::{Rgb, Rgba};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -21,6 +21,9 @@ pub struct Sky {
     pub haze_length_m: f64,
     /// Each step doubles the light.
     pub exposure_ev: f64,
+    /// How far the exposure follows an eye that gets used to dim light: 0 for a camera, 1 for an eye.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub adaptation: f64,
     /// How dense the air inside a cloud looks: 0 for none, 1 as dense as the cloud's sprites.
     #[serde(default = "as_it_is", skip_serializing_if = "is_as_it_is")]
     pub inside_density: f64,
@@ -30,6 +33,9 @@ pub struct Sky {
     /// How bright the moon and its light are: 0 for none, 1 as it is.
     #[serde(default = "as_it_is", skip_serializing_if = "is_as_it_is")]
     pub moon: f64,
+    /// How dark the shadows are that clouds cast on one another, on the ground and on aircraft: 0 for none, 1 as they are.
+    #[serde(default, skip_serializing_if = "is_none")]
+    pub cloud_shadows: f64,
     /// Scales and tints the ambient light of all hours.
     #[serde(default, skip_serializing_if = "Tuning::is_default")]
     pub ambient_tuning: Tuning,
@@ -69,6 +75,10 @@ fn as_it_is() -> f64 {
     1.0
 }
 
+fn is_none(strength: &f64) -> bool {
+    *strength == 0.0
+}
+
 fn is_as_it_is(strength: &f64) -> bool {
     *strength == as_it_is()
 }
@@ -88,41 +98,58 @@ pub struct Ground {
 impl Default for Sky {
     fn default() -> Self {
         Self {
-            ambient: DailyTable::new([
-                (0.0, Rgba::new(0.030, 0.036, 0.060, 1.0)),
-                (4.4, Rgba::new(0.030, 0.036, 0.060, 1.0)),
-                (5.3, Rgba::new(0.16, 0.16, 0.23, 1.0)),
-                (6.5, Rgba::new(0.32, 0.34, 0.43, 1.0)),
-                (9.0, Rgba::new(0.46, 0.53, 0.64, 1.0)),
-                (13.0, Rgba::new(0.50, 0.56, 0.67, 1.0)),
-                (17.5, Rgba::new(0.46, 0.53, 0.64, 1.0)),
-                (20.0, Rgba::new(0.32, 0.33, 0.45, 1.0)),
-                (21.0, Rgba::new(0.176, 0.176, 0.27, 1.0)),
-                (22.3, Rgba::new(0.030, 0.036, 0.060, 1.0)),
-            ]),
-            directional: DailyTable::new([
-                (0.0, Rgb::new(0.050, 0.060, 0.085)),
-                (4.9, Rgb::new(0.010, 0.012, 0.018)),
-                (5.5, Rgb::new(1.06, 0.40, 0.175)),
-                (6.5, Rgb::new(1.27, 0.80, 0.47)),
-                (9.0, Rgb::new(1.10, 0.99, 0.82)),
-                (13.0, Rgb::new(1.00, 0.94, 0.84)),
-                (17.5, Rgb::new(1.10, 0.97, 0.80)),
-                (19.6, Rgb::new(1.33, 0.78, 0.40)),
-                (20.6, Rgb::new(1.19, 0.47, 0.188)),
-                (21.3, Rgb::new(0.010, 0.012, 0.018)),
-            ]),
+            ambient: over_the_day(
+                Rgba::new(0.50, 0.56, 0.67, 1.0),
+                &[
+                    (34.0, 17.5, Rgba::new(0.46, 0.53, 0.65, 1.0)),
+                    (19.0, 19.0, Rgba::new(0.35, 0.44, 0.62, 1.0)),
+                    (9.0, 20.0, Rgba::new(0.225, 0.32, 0.54, 1.0)),
+                    (2.5, 20.75, Rgba::new(0.13, 0.18, 0.34, 1.0)),
+                    (0.0, 21.05, Rgba::new(0.07, 0.097, 0.19, 1.0)),
+                    (-3.0, 21.45, Rgba::new(0.020, 0.026, 0.052, 1.0)),
+                    (-6.0, 21.9, Rgba::new(0.0085, 0.011, 0.025, 1.0)),
+                    (-10.0, 22.45, Rgba::new(0.0050, 0.0068, 0.0145, 1.0)),
+                    (-16.0, 23.6, Rgba::new(0.0037, 0.0050, 0.0102, 1.0)),
+                ],
+            ),
+            directional: over_the_day(
+                Rgb::new(1.00, 0.94, 0.84),
+                &[
+                    (34.0, 17.5, Rgb::new(1.10, 0.98, 0.80)),
+                    (15.0, 19.4, Rgb::new(1.32, 0.91, 0.50)),
+                    (8.5, 20.1, Rgb::new(1.36, 0.78, 0.28)),
+                    (4.0, 20.6, Rgb::new(1.20, 0.54, 0.16)),
+                    (0.0, 21.05, Rgb::new(0.45, 0.19, 0.055)),
+                    (-2.0, 21.3, Rgb::new(0.010, 0.012, 0.018)),
+                    (-12.0, 22.75, Rgb::new(0.050, 0.060, 0.085)),
+                ],
+            ),
             turbidity: 2.5,
             gain: 0.65,
             haze_length_m: 26_000.0,
             exposure_ev: 0.0,
+            adaptation: as_it_is(),
             inside_density: as_it_is(),
             stars: as_it_is(),
             moon: as_it_is(),
+            cloud_shadows: as_it_is(),
             ambient_tuning: Tuning::default(),
             directional_tuning: Tuning::default(),
         }
     }
+}
+
+/// Noon's value, and those at elevations of the sun, degrees, on its way down, each about when that is at midsummer in Seattle;
+/// on its way up it is the same. By night clouds are as dark as that: lit by the sky around them, they must not outshine it.
+fn over_the_day<T: Copy>(noon: T, evening: &[(f64, f64, T)]) -> DailyTable<T> {
+    const NOON_H: f64 = 13.18;
+    // In hundredths: people read them.
+    let mirrored = |hour: f64| ((2.0 * NOON_H - hour) * 100.0).round() / 100.0;
+    let key = |hour, sun_deg, value| DailyKey { hour, sun_deg: Some(sun_deg), value };
+    let morning = evening.iter().rev().map(|(sun_deg, hour, value)| key(mirrored(*hour), *sun_deg, *value));
+    let evening = evening.iter().map(|(sun_deg, hour, value)| key(*hour, *sun_deg, *value));
+    let noon = [DailyKey { hour: 13.0, sun_deg: None, value: noon }];
+    DailyTable { keys: morning.chain(noon).chain(evening).collect() }
 }
 
 impl Default for Ground {

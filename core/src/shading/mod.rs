@@ -7,8 +7,8 @@ mod through;
 mod veil;
 
 pub use crate::scene::level_color;
-pub use through::Through;
 pub(crate) use through::{FORWARD, FROM_BELOW, HALO, SCATTERED, SKY_KEPT_OUT, STRAIGHT};
+pub use through::{Through, in_shade};
 pub(crate) use veil::{BEFORE_THE_EYE, MOST_OPAQUE};
 pub use veil::{Veil, veil};
 

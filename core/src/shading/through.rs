@@ -32,32 +32,35 @@ pub struct Through {
     self_shadow: f32,
     /// What thin cloud shows of the directional light.
     halo: f32,
+    /// What other clouds leave of that, e^(−τ/10).
+    shade: f32,
 }
 
 impl Through {
-    /// Of the sprite of that index, seen from a direction; none if its cloud is lit by its groups alone.
+    /// Of the sprite of that index, which other clouds leave so much light, seen from a direction; none if its cloud is lit by
+    /// its groups alone.
     #[inline]
-    pub fn new(cloud: &CloudNow<'_>, index: usize, light: &Light, towards_eye: Vec3) -> Option<Self> {
+    pub fn new(cloud: &CloudNow<'_>, (index, shade): (usize, f32), light: &Light, towards_eye: Vec3) -> Option<Self> {
         let baked = cloud.baked?;
         let SoftLight { self_shadow, halo } = cloud.placed.soft_light;
         let around = baked.directions().around(cloud.in_model(cloud.direction_at_rest(light.direction)));
         let [up, down] = baked.up_and_down(index);
         let halo = halo * HALO * thrown(-towards_eye.dot(light.direction));
-        Some(Self { sun: baked.from(index, &around), up, down, self_shadow, halo })
+        Some(Self { sun: baked.from(index, &around), up, down, self_shadow, halo, shade })
     }
 
     /// The same seen from all directions alike, as what is around an eye within the cloud.
-    pub fn all_around(cloud: &CloudNow<'_>, index: usize, light: &Light) -> Option<Self> {
+    pub fn all_around(cloud: &CloudNow<'_>, of: (usize, f32), light: &Light) -> Option<Self> {
         const EVEN: f32 = 0.25 * std::f32::consts::FRAC_1_PI;
         let halo = cloud.placed.soft_light.halo * HALO * EVEN;
-        Some(Self { halo, ..Self::new(cloud, index, light, light.direction)? })
+        Some(Self { halo, ..Self::new(cloud, of, light, light.direction)? })
     }
 
     /// Has `lit`, which is so by its `group`, lit by it at `offset` from the sprite's middle, in its reaches along the axes of
     /// its model.
     #[inline]
     pub fn light(&self, lit: &mut CornerLight, offset: Vec3, group: &Group, light: &Light) {
-        let sun = self.sun.at(offset);
+        let sun = self.sun.at(offset) * self.shade;
         let sun_4 = (sun * sun) * (sun * sun);
         let let_through = group.c[2] * (SCATTERED * sun + STRAIGHT * sun_4 * sun_4);
         let open = (1.0 - FROM_BELOW) * self.up.at(offset).sqrt() + FROM_BELOW * self.down.at(offset).sqrt();
@@ -65,6 +68,16 @@ impl Through {
         lit.directional = kept + light.directional_max * (self.self_shadow * let_through + self.halo * sun_4);
         lit.ambient.rgb = lit.ambient.rgb * (1.0 - self.self_shadow * SKY_KEPT_OUT * (1.0 - open));
     }
+}
+
+/// A light that other clouds have left so much of, e^(−τ/10), and that goes by a group's sides.
+#[inline]
+pub fn in_shade(directional: Rgb, shade: f32) -> Rgb {
+    if shade >= 1.0 {
+        return directional;
+    }
+    let shade_4 = (shade * shade) * (shade * shade);
+    directional * ((SCATTERED * shade + STRAIGHT * shade_4 * shade_4) / (SCATTERED + STRAIGHT))
 }
 
 /// How much of the light is thrown on so that it turns by an angle of that cosine, 1 in all over the sphere.

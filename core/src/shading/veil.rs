@@ -6,7 +6,7 @@
 //! of which an eye inside has half before it in the mean, whichever way it looks. It comes as the sprite goes, so it is
 //! continuous through the cloud's border and as bounded as the fading is.
 
-use super::{Through, corner_light};
+use super::{Through, corner_light, in_shade};
 use crate::camera::View;
 use crate::color::{Premultiplied, Rgb};
 use crate::draw_list::Hidden;
@@ -47,7 +47,9 @@ pub fn veil(
             let group = &cloud.groups()[sprite.group as usize];
             let at_rest = cloud.at_rest_from(eye - sprite.position);
             let mut corner = corner_light(rest.position + at_rest, cloud, group, light);
-            if let Some(through) = Through::all_around(cloud, posed.sprite as usize, light) {
+            let shade = cloud.shade_at(sprite.position);
+            corner.directional = in_shade(corner.directional, shade);
+            if let Some(through) = Through::all_around(cloud, (posed.sprite as usize, shade), light) {
                 through.light(&mut corner, cloud.in_model(at_rest) / rest.reach(), group, light);
             }
             let color = corner.color();

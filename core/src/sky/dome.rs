@@ -79,6 +79,18 @@ impl Dome {
         self.sky(Vec3::new(direction.x, 0.0, direction.z))
     }
 
+    /// Mean radiance of the sky above the horizon, without the sun's disc: of 512 directions even over the half sphere, on a
+    /// spiral of the golden angle.
+    pub fn mean_above_horizon(&self) -> Rgb {
+        const LOOKS: u32 = 512;
+        let look = |i: u32| {
+            let (up, turn) = ((f64::from(i) + 0.5) / f64::from(LOOKS), f64::from(i) * 2.399_963_229_728_653);
+            let level = (1.0 - up * up).sqrt();
+            self.sky(Vec3::new((libm::cos(turn) * level) as f32, up as f32, (libm::sin(turn) * level) as f32))
+        };
+        (0..LOOKS).map(look).fold(Rgb::BLACK, |sum, color| sum + color) * (1.0 / LOOKS as f32)
+    }
+
     /// The sky alone.
     fn sky(&self, direction: Vec3) -> Rgb {
         let (cos_theta, cos_gamma) = self.angles(direction);
@@ -291,8 +303,7 @@ mod tests {
             // Upwards from the sun.
             let at = |away_deg: f32| {
                 let up = (elevation_deg + away_deg).to_radians();
-                let Rgb { r, g, b } = dome.sky(Vec3::new(0.0, up.sin(), -up.cos()));
-                0.2126 * r + 0.7152 * g + 0.0722 * b
+                dome.sky(Vec3::new(0.0, up.sin(), -up.cos())).luminance()
             };
             for step in 1..60 {
                 let away = 0.5 * step as f32;

@@ -4,8 +4,9 @@
 use crate::color::Rgb;
 use crate::math::smoothstep;
 use crate::scene::Ground;
-use crate::weather::Light;
+use crate::weather::{Light, ShadowMap, Shadows};
 use glam::{DVec3, Vec3};
+use std::sync::Arc;
 
 /// The pattern repeats after this many metres along x and z: a scene moved by whole periods stands on the same ground.
 pub const GROUND_PERIOD_M: f64 = 100_000.0;
@@ -13,7 +14,7 @@ pub const GROUND_PERIOD_M: f64 = 100_000.0;
 pub const GROUND_CELLS_M: [f32; 4] = [4000.0, 1000.0, 250.0, 62.5];
 
 /// The ground as one eye sees it at one moment.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct GroundLook {
     /// Height of the eye above it, metres; above 0.
     pub eye_height: f32,
@@ -23,6 +24,38 @@ pub struct GroundLook {
     pub dark: Rgb,
     /// Radiance of its bright parts.
     pub bright: Rgb,
+    /// What is left of both where no directional light comes.
+    pub without_sun: Rgb,
+    /// The clouds' shadows, for who draws on the CPU.
+    pub shadow: Option<GroundShadow>,
+}
+
+/// The clouds' shadows on the ground, as one eye sees them.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GroundShadow {
+    map: Arc<ShadowMap>,
+    shadows: Shadows,
+    /// A map's place of what lies straight below the eye, texels, and how it changes a metre to the east and to the south.
+    below: [f32; 2],
+    east: [f32; 2],
+    south: [f32; 2],
+}
+
+impl GroundShadow {
+    /// Seen from an `eye`.
+    pub(crate) fn new(map: Arc<ShadowMap>, shadows: Shadows, eye: DVec3) -> Self {
+        let plane = &map.plane;
+        let below = plane.place(DVec3::new(eye.x, plane.ground_m, eye.z));
+        let [east, south] = [0, 2].map(|axis| [0, 1].map(|i| plane.axes[i][axis] / plane.texel_m[i]));
+        Self { map, shadows, below, east, south }
+    }
+
+    /// What reaches the ground of the directional light at `x`, `z` metres from the eye.
+    #[inline(always)]
+    pub(super) fn reaches(&self, x: f32, z: f32) -> f32 {
+        let place = [0, 1].map(|i| self.below[i] + x * self.east[i] + z * self.south[i]);
+        self.shadows.reaches_ground(self.map.left(place))
+    }
 }
 
 impl GroundLook {
@@ -31,12 +64,16 @@ impl GroundLook {
         let eye_height = (eye.y - ground.altitude_m) as f32;
         let in_pattern = |x: f64| x.rem_euclid(GROUND_PERIOD_M) as f32;
         // A level face gets the whole sky's ambient, and sun or moon by the sine of its elevation.
-        let lit = light.ambient_max.rgb * 0.75 + light.directional_max * (1.4 * light.direction.y.max(0.0));
+        let sky = light.ambient_max.rgb * 0.75;
+        let lit = sky + light.directional_max * (1.4 * light.direction.y.max(0.0));
+        let share = |of: f32, all: f32| if all > 0.0 { of / all } else { 1.0 };
         (eye_height > 0.0).then(|| Self {
             eye_height,
             eye_in_pattern: [in_pattern(eye.x), in_pattern(eye.z)],
             dark: ground.dark * lit,
             bright: ground.bright * lit,
+            without_sun: Rgb::new(share(sky.r, lit.r), share(sky.g, lit.g), share(sky.b, lit.b)),
+            shadow: None,
         })
     }
 
@@ -54,7 +91,9 @@ impl GroundLook {
     /// Radiance of the ground at an eye-relative point, where a pixel covers `pixel_m` metres.
     #[inline(always)]
     pub fn color(&self, point: Vec3, pixel_m: f32) -> Rgb {
-        self.dark.mix(self.bright, self.brightness(point.x, point.z, pixel_m))
+        let lit = self.dark.mix(self.bright, self.brightness(point.x, point.z, pixel_m));
+        let Some(shadow) = &self.shadow else { return lit };
+        lit * self.without_sun.mix(Rgb::grey(1.0), shadow.reaches(point.x, point.z))
     }
 
     /// 0 where it is dark, 1 where it is bright, at `x`, `z` metres from the eye.

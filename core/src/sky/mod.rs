@@ -12,7 +12,7 @@ mod rows;
 mod stars;
 
 pub use dome::{Dome, DomeTables, GLOW_FROM_COSINE, GLOW_KEPT, HORIZON_SINE, SUN_DISC_COSINES};
-pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook};
+pub use ground::{GROUND_CELLS_M, GROUND_PERIOD_M, GroundLook, GroundShadow};
 pub use night::{MOON_RADIUS, NightSky};
 pub use rows::BackgroundRows;
 

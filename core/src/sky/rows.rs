@@ -177,10 +177,12 @@ impl<'a> BackgroundRows<'a> {
             footprint: self.view.pixel(),
             haze_length_m: self.background.haze_length_m,
         };
-        let [brightness, hazed] = row.draw();
-        for ((plane, dark), bright) in out.iter_mut().zip(ground.dark.to_array()).zip(ground.bright.to_array()) {
+        let [brightness, hazed, sunlit] = row.draw();
+        let colors =
+            ground.dark.to_array().into_iter().zip(ground.bright.to_array()).zip(ground.without_sun.to_array());
+        for (plane, ((dark, bright), without_sun)) in out.iter_mut().zip(colors) {
             for x in 0..MOST {
-                let color = dark + brightness[x] * (bright - dark);
+                let color = (dark + brightness[x] * (bright - dark)) * (1.0 + (sunlit[x] - 1.0) * (1.0 - without_sun));
                 plane[x] = color + hazed[x] * (plane[x] - color);
             }
         }
@@ -231,8 +233,8 @@ struct GroundRow<'a> {
 }
 
 impl GroundRow<'_> {
-    /// The ground's brightness and how far it is hazed, at 32 pixels.
-    fn draw(&self) -> [[f32; MOST]; 2] {
+    /// The ground's brightness, how far it is hazed, and what reaches it of the directional light, at 32 pixels.
+    fn draw(&self) -> [[f32; MOST]; 3] {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
             // SAFETY: the one instruction set that the function needs was just found.
@@ -244,14 +246,14 @@ impl GroundRow<'_> {
 
     #[cfg(target_arch = "x86_64")]
     #[target_feature(enable = "avx2")]
-    fn draw_avx2(&self) -> [[f32; MOST]; 2] {
+    fn draw_avx2(&self) -> [[f32; MOST]; 3] {
         self.draw_lanes()
     }
 
     /// Written for the compiler to run in lanes: no branch, no call.
     #[inline(always)]
     #[allow(clippy::needless_range_loop)] // four arrays under one index: what the compiler runs in lanes
-    fn draw_lanes(&self) -> [[f32; MOST]; 2] {
+    fn draw_lanes(&self) -> [[f32; MOST]; 3] {
         let [mut x, mut z, mut pixel_m, mut hazed] = [[0.0; MOST]; 4];
         for i in 0..MOST {
             let along = i as f32;
@@ -267,6 +269,12 @@ impl GroundRow<'_> {
             pixel_m[i] = t * length * self.footprint * length / down;
             hazed[i] = haze_share(t * length, self.haze_length_m);
         }
-        [self.ground.brightnesses(x, z, pixel_m), hazed]
+        let mut sunlit = [1.0; MOST];
+        if let Some(shadow) = &self.ground.shadow {
+            for i in 0..MOST {
+                sunlit[i] = shadow.reaches(x[i], z[i]);
+            }
+        }
+        [self.ground.brightnesses(x, z, pixel_m), hazed, sunlit]
     }
 }

@@ -99,12 +99,17 @@ pub fn balls_of(sprites: &[Candidate], levels: &ColorLevels) -> Vec<Ball> {
     // have the same kinds of tiles in the same places.
     let tiles = Atlas::built_in();
     let ball = |sprite: &Candidate| {
-        let [sin, cos] = [libm::sin(sprite.rotation), libm::cos(sprite.rotation)];
-        let half = |a: f64, b: f64| (0.5 * (a * a + b * b).sqrt()) as f32;
-        // What a quad that is turned before an eye on its level measures across, if it were an ellipse.
-        let halves = [half(sprite.width * cos, sprite.height * sin), half(sprite.width * sin, sprite.height * cos)];
         let opacity = level_color(levels, height_of(sprite.position.y) as f32).a.clamp(0.0, 1.0);
+        let halves = halves_of([sprite.width, sprite.height].map(|side| side as f32), sprite.rotation as f32);
         Ball::new((sprite.position - middle).as_vec3(), halves, tiles.mean_opacity(sprite.tile.into()) * opacity)
     };
     sprites.iter().map(ball).collect()
+}
+
+/// Half of what a quad of those sides measures across and upwards that is turned by that angle before an eye on its level,
+/// if it were an ellipse.
+pub(crate) fn halves_of([width, height]: [f32; 2], rotation: f32) -> [f32; 2] {
+    let (sin, cos) = libm::sincosf(rotation);
+    let half = |a: f32, b: f32| 0.5 * (a * a + b * b).sqrt();
+    [half(width * cos, height * sin), half(width * sin, height * cos)]
 }

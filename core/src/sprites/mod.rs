@@ -7,6 +7,7 @@
 mod atlas;
 mod bake;
 mod candidates;
+mod casts;
 mod cull;
 mod place;
 mod shapes;
@@ -15,9 +16,11 @@ mod stir;
 
 pub use atlas::{Atlas, AtlasError, MIP_LEVELS, TILE_SIZE, TILES, TileLevel};
 pub(crate) use atlas::{FootprintTable, LEVEL_START, TABLE};
-pub(crate) use bake::Bake;
 pub use bake::balls_of;
+pub(crate) use bake::{Bake, halves_of};
 pub use candidates::{Candidate, candidates, cull_radii};
+pub use casts::Casts;
+pub(crate) use casts::CastsOnce;
 pub use cull::{cull, cull_slow};
 pub use place::{Group, GroupKey, PlacedCloud, SoftLight, place};
 pub(crate) use place::{dress, heading_turn, place_watched, stand_alike};

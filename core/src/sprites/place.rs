@@ -5,9 +5,11 @@
 
 use super::candidates::middle;
 use super::stir::{Stir, Stirs, Within};
-use super::{Bake, Candidate, PopulatedModel, Sprite, Sprites};
+use super::{Bake, Candidate, Casts, CastsOnce, PopulatedModel, Sprite, Sprites};
 use crate::baked::Baked;
-use crate::scene::{BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight};
+use crate::scene::{
+    BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight, level_color,
+};
 use crate::watch::Watch;
 use glam::{DQuat, DVec3, Vec3};
 use rustc_hash::{FxHashMap, FxHashSet};
@@ -109,6 +111,8 @@ pub struct PlacedCloud {
     pub(crate) bake: Option<Bake>,
     /// What the air makes of its sprites, made when first asked for.
     pub(crate) stirs: Stirs,
+    /// What it casts shadows with, made when first asked for.
+    pub(crate) casts: CastsOnce,
 }
 
 impl PlacedCloud {
@@ -120,6 +124,13 @@ impl PlacedCloud {
     /// The light that is left of the sun's at its sprites, as far as it is known; none if the cloud is not lit by it.
     pub fn baked(&self) -> Option<&Baked> {
         self.bake.as_ref()?.known()
+    }
+
+    /// What it casts shadows with.
+    pub fn casts(&self) -> &Casts {
+        let opacity =
+            |sprite: &Sprite| level_color(&self.color_levels, self.height_of(sprite.position.y)).a.clamp(0.0, 1.0);
+        self.casts.get_or_make(|| Casts::new(&self.sprites, opacity))
     }
 
     /// What the air makes of each sprite, in their order.
@@ -227,6 +238,7 @@ pub(crate) fn place_watched(
         heading: space.sin_cos(),
         bake: None,
         stirs: Stirs::default(),
+        casts: CastsOnce::default(),
     }
 }
 
@@ -253,6 +265,7 @@ pub(crate) fn dress(
         color_levels: model.color_levels,
         soft_light: SoftLight::of(model),
         cloud: Arc::clone(cloud),
+        casts: if model.color_levels == placed.color_levels { placed.casts.clone() } else { CastsOnce::default() },
         ..placed.clone()
     }
 }

@@ -12,6 +12,7 @@ use crate::draw_list::DrawSprite;
 use crate::frame::Frame;
 use crate::raster::bins::map_tiles;
 use crate::raster::{ScreenSprite, prepare};
+use crate::sky::Background;
 use rustc_hash::FxHashMap;
 
 /// Less than this gets through to what is behind: it shows nothing there.
@@ -43,13 +44,13 @@ pub(super) fn losses(frame: &Frame<'_>) -> Vec<f32> {
 /// What each sprite adds to the picture.
 fn added(frame: &Frame<'_>) -> Vec<f32> {
     let (width, height) = (frame.view.width, frame.view.height);
-    let sprites = prepare(frame);
+    let (sprites, behind) = (prepare(frame), frame.behind());
     let tiles = map_tiles(&sprites, width, height, |rect, members| {
         let mut sums = vec![0.0; members.len()];
         let mut shown = Vec::new();
         for i in 0..rect.width * rect.height {
             let at = [rect.left + i % rect.width, rect.top + i / rect.width].map(|pixel| pixel as f32 + 0.5);
-            add_pixel(frame, &sprites, (members, &mut sums), at, &mut shown);
+            add_pixel((frame, &behind), &sprites, (members, &mut sums), at, &mut shown);
         }
         members.iter().copied().zip(sums).collect()
     });
@@ -72,7 +73,7 @@ struct Shown {
 
 /// Adds a pixel's changes to the `sums` of the tile's `members`, which stand nearest first.
 fn add_pixel(
-    frame: &Frame<'_>,
+    (frame, behind): (&Frame<'_>, &Background),
     sprites: &[ScreenSprite],
     (members, sums): (&[u32], &mut [f32]),
     [x, y]: [f32; 2],
@@ -94,7 +95,7 @@ fn add_pixel(
     if shown.is_empty() {
         return;
     }
-    let mut behind = frame.background.color(frame.view.ray(x, y), frame.view.pixel());
+    let mut behind = behind.color(frame.view.ray(x, y), frame.view.pixel());
     for Shown { member, fragment, before } in shown.iter().rev() {
         let added = Rgb::new(fragment.r, fragment.g, fragment.b) + behind * -fragment.a;
         sums[*member] += before * (1.0 - frame.veil.a) * added.to_array().map(f32::abs).into_iter().fold(0.0, f32::max);

@@ -12,9 +12,10 @@ use crate::raster::prepare;
 pub fn linear_picture(frame: &Frame<'_>) -> LinearPicture {
     let (width, height) = (frame.view.width, frame.view.height);
     let bytes = Bytes::new();
+    let behind_all = frame.behind();
     let background = |x: u32, y: u32| {
         let ray = frame.view.ray(x as f32 + 0.5, y as f32 + 0.5);
-        frame.background.color(ray, frame.view.pixel())
+        behind_all.color(ray, frame.view.pixel())
     };
     let (sprites, models) = (prepare(frame), Models::new(frame));
     let tiles = map_tiles(&sprites, width, height, |rect, members| {

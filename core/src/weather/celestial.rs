@@ -1,4 +1,4 @@
-//! Where the moon and the stars stand.
+//! Where the sun, the moon and the stars stand.
 //!
 //! The moon is that of the Astronomical Almanac's low-precision formulas (page D22; the largest terms of Brown's theory,
 //! within 0.3° from 1900 to 2100, degrees off in other millennia), seen from the ground and not from the Earth's middle. The
@@ -7,18 +7,38 @@
 use crate::scene::{Site, Sun};
 use glam::{DMat3, DVec3, Vec3};
 use solar_positioning::time::JulianDate;
+use solar_positioning::{Location, SolarPositions};
 
 /// TT − UT1, seconds. Over the years that scenes are set in it moves the sun by under 0.01°.
 const DELTA_T_S: f64 = 69.0;
 const J2000: f64 = 2_451_545.0;
 
 /// A local civil hour (any number; taken modulo 24) of the place's day; none out of the calendar's range.
-pub(super) fn julian_date(place: &Site, time_h: f64) -> Option<JulianDate> {
+fn julian_date(place: &Site, time_h: f64) -> Option<JulianDate> {
     let date = place.date;
     let midnight =
         JulianDate::from_utc(date.year.into(), date.month.into(), date.day.into(), 0, 0, 0.0, DELTA_T_S).ok()?;
     let hours_utc = time_h.rem_euclid(24.0) - place.utc_offset_h;
     JulianDate::new(midnight.julian_date() + hours_utc / 24.0, DELTA_T_S).ok()
+}
+
+/// From the scene to the sun, unit: by the Solar Position Algorithm (Reda and Andreas 2004) at the place and date, or
+/// by hand. The sun stands still where a place or date is out of the algorithm's range.
+pub fn sun_direction(sun: Sun, place: &Site, time_h: f64) -> Vec3 {
+    let (heading_deg, elevation_deg) = match sun {
+        Sun::ByHand { heading_deg, elevation_deg } => (heading_deg, elevation_deg),
+        Sun::ByPlace => by_place(place, time_h).unwrap_or((180.0, 45.0)),
+    };
+    let (heading, elevation) = (heading_deg.to_radians(), elevation_deg.to_radians());
+    let level = libm::cos(elevation);
+    Vec3::new((libm::sin(heading) * level) as f32, libm::sin(elevation) as f32, (-libm::cos(heading) * level) as f32)
+}
+
+fn by_place(place: &Site, time_h: f64) -> Option<(f64, f64)> {
+    let moment = julian_date(place, time_h)?;
+    let location = Location { latitude: place.latitude_deg, longitude: place.longitude_deg };
+    let position = SolarPositions::new().at_from_julian(moment, location, 0.0, None).ok()?;
+    Some((position.azimuth(), position.elevation_angle()))
 }
 
 /// The Julian date of an hour of the night that begins on the place's day: what is before noon is the morning after, so that
@@ -95,7 +115,6 @@ const PARALLAX: [(f64, f64, f64); 4] = [
 mod tests {
     use super::*;
     use crate::scene::Date;
-    use crate::weather::sun_direction;
 
     fn at(latitude_deg: f64, longitude_deg: f64, date: &str) -> Site {
         Site { latitude_deg, longitude_deg, utc_offset_h: 0.0, date: date.parse::<Date>().expect("a day") }
@@ -147,5 +166,30 @@ mod tests {
         let sun = Sun::ByHand { heading_deg: 30.0, elevation_deg: -25.0 };
         let down = sun_direction(sun, &Site::default(), 1.0);
         assert_eq!(moon_direction(sun, &Site::default(), 1.0, down), -down);
+    }
+
+    #[test]
+    fn the_sun_of_a_known_place_and_time() {
+        // NREL's own example (SPA technical report, table A5.1): Golden, 17 October 2003, 12:30:30, UTC−7:
+        // zenith 50.11162°, azimuth 194.34024°. The report's site lies 1,830 m high and has refraction: 0.02°.
+        let golden = Site {
+            latitude_deg: 39.742476,
+            longitude_deg: -105.1786,
+            utc_offset_h: -7.0,
+            date: Date { year: 2003, month: 10, day: 17 },
+        };
+        let (heading, elevation) = by_place(&golden, 12.0 + 30.5 / 60.0).expect("in range");
+        assert!((heading - 194.34024).abs() < 0.02, "{heading}");
+        assert!((elevation - (90.0 - 50.11162)).abs() < 0.02, "{elevation}");
+    }
+
+    #[test]
+    fn directions_by_hand() {
+        let direction = |heading_deg, elevation_deg| {
+            sun_direction(Sun::ByHand { heading_deg, elevation_deg }, &Site::default(), 3.0)
+        };
+        assert!(direction(90.0, 0.0).distance(Vec3::X) < 1e-6, "east");
+        assert!(direction(0.0, 0.0).distance(Vec3::NEG_Z) < 1e-6, "north");
+        assert!(direction(17.0, 90.0).distance(Vec3::Y) < 1e-6, "overhead");
     }
 }

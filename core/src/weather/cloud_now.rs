@@ -6,7 +6,7 @@
 //! they are at rest, so that what moves doesn't flicker (MODEL §9). The twin in WGSL is
 //! render/src/pass/sprites/sprites.wgsl.
 
-use super::{AirNow, Formed};
+use super::{AirNow, Formed, Shade};
 use crate::baked::Baked;
 use crate::scene::ColorLevels;
 use crate::sprites::{Group, PlacedCloud, Sprite, Stir};
@@ -39,6 +39,10 @@ pub struct CloudNow<'a> {
     pub air: Option<InAir<'a>>,
     /// The light that is left at its sprites, as far as it is baked; none if the cloud is not lit by it.
     pub baked: Option<&'a Baked>,
+    /// What other clouds leave of the directional light, if any takes some.
+    pub shade: Option<Shade>,
+    /// Whether someone looks who has hidden it: then it casts no shadow.
+    pub is_hidden: bool,
 }
 
 /// What a cloud looks like.
@@ -109,6 +113,8 @@ impl<'a> CloudNow<'a> {
             look: None,
             air: None,
             baked: placed.baked(),
+            shade: None,
+            is_hidden: false,
         }
     }
 
@@ -162,6 +168,12 @@ impl<'a> CloudNow<'a> {
     pub fn at_rest_from(&self, offset: Vec3) -> Vec3 {
         let turned = self.turn.turned_back(offset);
         if self.scale == 1.0 { turned } else { turned / self.scale }
+    }
+
+    /// What other clouds leave of the directional light at a point that counts from the cloud's origin, e^(−τ/10).
+    #[inline]
+    pub fn shade_at(&self, point: Vec3) -> f32 {
+        self.shade.as_ref().map_or(1.0, |shade| shade.at(point))
     }
 
     /// A direction of the world as it lies to the cloud at rest.
@@ -220,6 +232,11 @@ impl<'a> CloudNow<'a> {
         self.formed.shows()
             && self.opacity > 0.0
             && self.air.as_ref().is_none_or(|in_air| in_air.air.humidity > -super::CONDENSING)
+    }
+
+    /// Whether it casts a shadow.
+    pub fn casts(&self) -> bool {
+        self.shows() && !self.is_hidden
     }
 
     /// Where a point of the cloud at rest is now, but for what the air does.

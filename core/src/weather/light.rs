@@ -1,11 +1,11 @@
 //! The light of one moment: where sun and moon are and how much there is.
 
-use super::celestial::{celestial_from_world, julian_date, moon_direction};
+use super::celestial::{celestial_from_world, moon_direction, sun_direction};
+use super::sun_day::on_day;
 use crate::color::{Rgb, Rgba};
 use crate::math::smoothstep;
-use crate::scene::{Scene, Site, Sun};
+use crate::scene::Scene;
 use glam::{Mat3, Vec3};
-use solar_positioning::{Location, SolarPositions};
 
 /// The scene's light at a time of day.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,7 +42,7 @@ pub struct Night {
 impl Light {
     /// The light of `scene` at `time_h` (any number; taken modulo 24).
     pub fn at(scene: &Scene, time_h: f64) -> Self {
-        let ambient = scene.sky.ambient.at(time_h, Rgba::mix);
+        let ambient = on_day(&scene.sky.ambient, scene.sun, &scene.site).at(time_h, Rgba::mix);
         let sun_direction = sun_direction(scene.sun, &scene.site, time_h);
         let night = (sun_direction.y < 0.0).then(|| Night {
             sun_sine: sun_direction.y,
@@ -52,7 +52,8 @@ impl Light {
             moon: scene.sky.moon as f32,
         });
         let (direction, share) = night.map_or((sun_direction, 1.0), |night| night.directional(sun_direction));
-        let directional = scene.sky.directional_tuning.of(scene.sky.directional.at(time_h, Rgb::mix));
+        let directional = on_day(&scene.sky.directional, scene.sun, &scene.site).at(time_h, Rgb::mix);
+        let directional = scene.sky.directional_tuning.of(directional);
         Self {
             time_h,
             sun_direction,
@@ -63,6 +64,23 @@ impl Light {
         }
     }
 }
+
+impl Light {
+    /// What an eye that has got used to this light sees it brighter by, if it does so by that `share`, 0 to 1: some of what the
+    /// light lacks to that of a late afternoon, and no more than to tell clouds from sky.
+    pub fn brightened(&self, share: f32) -> f32 {
+        let there = self.ambient_max.rgb.luminance() + SUN_TO_EYE * self.directional_max.luminance();
+        let lacking = libm::log2f(USED_TO / there.max(1e-6)).clamp(0.0, MOST_LACKING);
+        libm::exp2f(share.clamp(0.0, 1.0) * ADAPTED * lacking)
+    }
+}
+
+/// Luminance of light that an eye sees as it is; what the directional light adds to the ambient one.
+const USED_TO: f32 = 0.45;
+const SUN_TO_EYE: f32 = 0.2;
+/// How much of each halving of the light an eye makes up for, and of how many at most.
+const ADAPTED: f32 = 0.45;
+const MOST_LACKING: f32 = 7.0;
 
 /// Sines of the sun's elevation, −1° and −5°, between which it stops lighting the clouds.
 const SUN_GOES: [f32; 2] = [-0.017_452, -0.087_156];
@@ -82,55 +100,5 @@ impl Night {
         let up = smoothstep(0.0, MOON_IS_UP, self.moon_direction.y);
         let lit = 0.5 * (1.0 - self.moon_direction.dot(sun_direction));
         (self.moon_direction, self.moon * comes * up * lit)
-    }
-}
-
-/// From the scene to the sun, unit: by the Solar Position Algorithm (Reda and Andreas 2004) at the place and date, or
-/// by hand. The sun stands still where a place or date is out of the algorithm's range.
-pub fn sun_direction(sun: Sun, place: &Site, time_h: f64) -> Vec3 {
-    let (heading_deg, elevation_deg) = match sun {
-        Sun::ByHand { heading_deg, elevation_deg } => (heading_deg, elevation_deg),
-        Sun::ByPlace => by_place(place, time_h).unwrap_or((180.0, 45.0)),
-    };
-    let (heading, elevation) = (heading_deg.to_radians(), elevation_deg.to_radians());
-    let level = libm::cos(elevation);
-    Vec3::new((libm::sin(heading) * level) as f32, libm::sin(elevation) as f32, (-libm::cos(heading) * level) as f32)
-}
-
-fn by_place(place: &Site, time_h: f64) -> Option<(f64, f64)> {
-    let moment = julian_date(place, time_h)?;
-    let location = Location { latitude: place.latitude_deg, longitude: place.longitude_deg };
-    let position = SolarPositions::new().at_from_julian(moment, location, 0.0, None).ok()?;
-    Some((position.azimuth(), position.elevation_angle()))
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::scene::Date;
-
-    #[test]
-    fn the_sun_of_a_known_place_and_time() {
-        // NREL's own example (SPA technical report, table A5.1): Golden, 17 October 2003, 12:30:30, UTC−7:
-        // zenith 50.11162°, azimuth 194.34024°. The report's site lies 1,830 m high and has refraction: 0.02°.
-        let golden = Site {
-            latitude_deg: 39.742476,
-            longitude_deg: -105.1786,
-            utc_offset_h: -7.0,
-            date: Date { year: 2003, month: 10, day: 17 },
-        };
-        let (heading, elevation) = by_place(&golden, 12.0 + 30.5 / 60.0).expect("in range");
-        assert!((heading - 194.34024).abs() < 0.02, "{heading}");
-        assert!((elevation - (90.0 - 50.11162)).abs() < 0.02, "{elevation}");
-    }
-
-    #[test]
-    fn directions_by_hand() {
-        let direction = |heading_deg, elevation_deg| {
-            sun_direction(Sun::ByHand { heading_deg, elevation_deg }, &Site::default(), 3.0)
-        };
-        assert!(direction(90.0, 0.0).distance(Vec3::X) < 1e-6, "east");
-        assert!(direction(0.0, 0.0).distance(Vec3::NEG_Z) < 1e-6, "north");
-        assert!(direction(17.0, 90.0).distance(Vec3::Y) < 1e-6, "overhead");
     }
 }

@@ -1,8 +1,12 @@
 //! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
 
-use super::{AirNow, CloudNow, Light, Moment, Timeline, WeatherRules, clouds_now};
+use super::shadows::{ShadowMap, ShadowPlane, between};
+use super::{AirNow, CloudNow, Light, Moment, Shadows, Timeline, WeatherRules, clouds_now};
 use crate::scene::{Aircraft, Ground, List, Prop, Scene};
 use crate::sprites::PlacedCloud;
+use glam::DVec3;
+use rustc_hash::FxHasher;
+use std::hash::{Hash, Hasher};
 
 /// A scene at one moment.
 #[derive(Debug, Clone)]
@@ -27,6 +31,8 @@ pub struct SceneNow<'a> {
     pub props: List<Prop>,
     /// The clouds, in their order.
     pub clouds: Vec<CloudNow<'a>>,
+    /// What the clouds cast; none if nothing is to be seen of it.
+    pub shadows: Option<Shadows>,
 }
 
 impl<'a> SceneNow<'a> {
@@ -46,9 +52,11 @@ impl<'a> SceneNow<'a> {
         let time_h = moment.time_h.unwrap_or_else(|| timeline.time_of_day_h(scene, moment.clock_s));
         let scene = timeline.surroundings_at(scene, moment.clock_s);
         let sky = &scene.sky;
-        Self {
-            light: Light::at(&scene, time_h),
-            exposure: libm::exp2(sky.exposure_ev) as f32,
+        let light = Light::at(&scene, time_h);
+        let now = Self {
+            shadows: Shadows::new(light.direction, sky.cloud_shadows as f32, light.ambient_max.a),
+            light,
+            exposure: libm::exp2(sky.exposure_ev) as f32 * light.brightened(sky.adaptation as f32),
             turbidity: sky.turbidity as f32,
             sky_gain: sky.gain as f32,
             haze_length_m: (sky.haze_length_m as f32).max(1.0),
@@ -57,6 +65,54 @@ impl<'a> SceneNow<'a> {
             aircraft: scene.aircraft.clone(),
             props: scene.props.clone(),
             clouds: clouds_now(clouds, timeline, moment.clock_s, rules),
+        };
+        now.shaded()
+    }
+
+    /// The same for someone who has hidden some of its clouds, which then cast no shadow.
+    #[must_use]
+    pub(crate) fn hiding(mut self, is_hidden: impl Fn(&CloudNow<'_>) -> bool) -> Self {
+        self.clouds.iter_mut().for_each(|cloud| cloud.is_hidden = is_hidden(cloud));
+        self.shaded()
+    }
+
+    fn shaded(mut self) -> Self {
+        if let Some(shadows) = &mut self.shadows {
+            let ground_m = self.ground.as_ref().map(|ground| ground.altitude_m);
+            shadows.plane = ground_m.and_then(|ground_m| ShadowPlane::new(&self.clouds, shadows.direction, ground_m));
+            between::shade(&mut self.clouds, shadows);
         }
+        self
+    }
+
+    /// What the clouds' shadows leave of the light over the ground; none if there are none.
+    pub fn shadow_map(&self) -> Option<ShadowMap> {
+        ShadowMap::new(&self.clouds, self.shadows.as_ref()?)
+    }
+
+    /// Another for each shadow that the same clouds cast on the ground.
+    pub fn shadows_state(&self) -> u64 {
+        let mut hasher = FxHasher::default();
+        let mut number = |number: f64| number.to_bits().hash(&mut hasher);
+        if let Some(Shadows { opacity, plane: Some(plane), .. }) = self.shadows {
+            plane.direction.to_array().into_iter().chain(plane.texel_m).for_each(|metres| number(metres.into()));
+            plane.from_m.into_iter().chain([plane.ground_m, opacity.into()]).for_each(&mut number);
+        }
+        for cloud in &self.clouds {
+            cloud.origin().to_array().into_iter().for_each(&mut number);
+            let [sin, cos] = cloud.turn.sin_cos();
+            let formed = [cloud.formed.core, cloud.formed.falloff, cloud.opacity, f32::from(u8::from(cloud.casts()))];
+            formed.into_iter().chain([sin, cos, cloud.scale, cloud.growth]).for_each(|share| number(share.into()));
+        }
+        if let Some(air) = self.air() {
+            let of = air.lean.to_array().into_iter().chain(air.lean_shear.to_array()).chain(air.swings);
+            of.chain([air.turned, air.turbulence, air.humidity]).for_each(|share| number(share.into()));
+        }
+        hasher.finish()
+    }
+
+    /// What they leave of it at a point of the world, 0 to 1.
+    pub fn sunlit(&self, point: DVec3) -> f32 {
+        self.shadows.as_ref().map_or(1.0, |shadows| shadows.reaches(&self.clouds, point))
     }
 }

@@ -2,6 +2,7 @@
 
 pub(crate) mod crossfade;
 pub(crate) mod models;
+pub(crate) mod shadows;
 pub(crate) mod sky;
 pub(crate) mod sprites;
 pub(crate) mod tone_map;

@@ -50,6 +50,16 @@ struct Frame {
     moon_direction: vec3f,
     moon_radius: f32,
     celestial_from_world: array<vec4f, 3>,
+    // The plane of the clouds' shadows (core/src/weather/shadows/plane.rs): its axes, where on it the eye is, texels, how much
+    // of them is seen, and what is left of the ground's light in the deepest.
+    shadow_level: vec3f,
+    shadow_eye_x: f32,
+    shadow_upwards: vec3f,
+    shadow_eye_y: f32,
+    ground_without_sun: vec3f,
+    shadow_share: f32,
+    shadow_texel_m: vec2f,
+    unused: vec2f,
 }
 
 @group(0) @binding(0) var<uniform> frame: Frame;

@@ -5,6 +5,8 @@
 const FRAME: &str = include_str!("frame.wgsl");
 const MATH: &str = include_str!("math.wgsl");
 const DOME: &str = include_str!("dome.wgsl");
+const CLOUD_DATA: &str = include_str!("../pass/sprites/cloud_data.wgsl");
+const SPRITE_NOW: &str = include_str!("../pass/sprites/sprite_now.wgsl");
 const FULL_SCREEN: &str = include_str!("full_screen.wgsl");
 
 /// Sky, sun, moon, stars, ground and haze.
@@ -15,8 +17,12 @@ pub fn sky() -> String {
 
 /// The sprites.
 pub fn sprites() -> String {
-    let data = include_str!("../pass/sprites/cloud_data.wgsl");
-    [FRAME, MATH, DOME, data, include_str!("../pass/sprites/sprites.wgsl")].join("\n")
+    [FRAME, MATH, DOME, CLOUD_DATA, SPRITE_NOW, include_str!("../pass/sprites/sprites.wgsl")].join("\n")
+}
+
+/// The clouds' shadows for the ground.
+pub fn shadows() -> String {
+    [FRAME, MATH, CLOUD_DATA, SPRITE_NOW, include_str!("../pass/shadows/shadows.wgsl")].join("\n")
 }
 
 /// The aircraft.
@@ -43,6 +49,7 @@ pub fn tone_map() -> String {
 pub fn all() -> Vec<(&'static str, String)> {
     vec![
         ("sky", sky()),
+        ("shadows", shadows()),
         ("models", models()),
         ("sprites", sprites()),
         ("crossfade", crossfade()),

@@ -1,6 +1,7 @@
 //! Altocumulus stratiformis towards evening: flakes in ranks across the sky at 3,800 m, thin and torn at the field's
 //! edges.
 
+use super::far::{self, Far, Ring};
 use super::{Sketch, by_plugin};
 use cloudwright_core::scene::{ModelId, Scene};
 use glam::DVec3;
@@ -29,6 +30,7 @@ pub(super) fn scene() -> Scene {
         })
         .collect();
     place_ranks(&mut sketch, &ranks);
+    beyond(&mut sketch);
     let scene = &mut sketch.scene;
     scene.time_of_day_h = 19.0;
     scene.sky.haze_length_m = 60_000.0;
@@ -36,6 +38,24 @@ pub(super) fn scene() -> Scene {
     sketch.camera("sunward", DVec3::new(3000.0, 1200.0, 1500.0), DVec3::new(-3500.0, 3700.0, -600.0), 60.0);
     sketch.camera("above", DVec3::new(-2500.0, 5200.0, 4500.0), DVec3::new(300.0, 3800.0, -800.0), 50.0);
     sketch.scene
+}
+
+/// Where the ranks go on, up to 21 km away.
+fn beyond(sketch: &mut Sketch) {
+    let far = Far {
+        category: "altocumulus",
+        levels: "[[0.0, 0.40, 0.43, 0.50, 0.42], [0.3, 0.44, 0.47, 0.53, 0.56], [0.5, 0.50, 0.53, 0.58, 0.64], \
+                 [0.75, 0.56, 0.58, 0.62, 0.64], [1.0, 0.60, 0.61, 0.64, 0.55]]",
+        size: [5000.0, 2500.0],
+        rolls: [4, 14],
+        floor: 0,
+        sprite: [280.0, 640.0],
+        squash: 0.5,
+        up: [20.0, 30.0],
+        tiles: "altocumulus",
+    };
+    let middle = DVec3::new(MIDDLE_M[0], BASE_M, MIDDLE_M[1]);
+    far::lay(sketch, &far, &Ring { middle, inner_m: 6600.0, outer_m: 21_000.0, heading_deg: 0.0, gaps: 0.35 });
 }
 
 /// Ranks side by side over an oval field, bent a little, each moved along itself so that no columns show.

@@ -11,12 +11,29 @@ pub(super) fn scene() -> Scene {
         (
             "mediocris",
             Category::CumulusCongestus,
-            Cumulus { base: [500.0, 400.0], height: 560.0, heaps: 8, heap_radius: [115.0, 210.0], peak: 0.6, wisps: 2 },
+            Cumulus {
+                base: [500.0, 400.0],
+                height: 560.0,
+                heaps: 8,
+                heap_radius: [115.0, 210.0],
+                peak: 0.6,
+                wisps: 2,
+                crowns: 2,
+                ..Cumulus::default()
+            },
         ),
         (
             "humilis",
             Category::CumulusHumilis,
-            Cumulus { base: [400.0, 280.0], height: 260.0, heaps: 7, heap_radius: [85.0, 150.0], peak: 0.45, wisps: 3 },
+            Cumulus {
+                base: [400.0, 280.0],
+                height: 260.0,
+                heaps: 7,
+                heap_radius: [85.0, 150.0],
+                peak: 0.45,
+                wisps: 3,
+                ..Cumulus::default()
+            },
         ),
     ];
     let [mediocris, humilis] = kinds.map(|(name, category, kind)| cumulus(&mut sketch, name, category, &kind));

@@ -57,7 +57,9 @@ fn racing(sketch: &mut Sketch) {
         ("scrap", Category::CumulusHumilis, [230.0, 140.0], 130.0, 4, [55.0, 90.0], 0.35, 4),
     ];
     let model = |(name, category, base, height, heaps, heap_radius, peak, wisps): (_, _, _, _, _, _, _, _)| {
-        cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps })
+        // The gusts tear them as they go.
+        let kind = Cumulus { base, height, heaps, heap_radius, peak, wisps, crowns: 1, lean: 0.4, decay: 0.45 };
+        cumulus(sketch, name, category, &kind)
     };
     let models: Vec<ModelId> = kinds.map(model).into();
     for i in 0..34_u32 {

@@ -10,6 +10,7 @@ mod by_plugin;
 mod cumulonimbus;
 mod cumulus;
 mod fair_weather;
+mod far;
 mod forming;
 mod front;
 mod lee;

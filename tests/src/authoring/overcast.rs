@@ -1,8 +1,10 @@
-//! A stratocumulus deck over 4 km × 4 km: the scene that speed is measured on.
+//! A stratocumulus deck: the scene that speed is measured on.
 //!
-//! Two hundred boxes in forty clouds, a hundred sprites each after culling. The deck is some 300 m thick: a level grey
+//! Two hundred boxes in forty clouds over 4 km × 4 km, a hundred sprites each after culling, and from there on to 14 km a
+//! seventh as many in large flat tiles. The deck is some 300 m thick: a level grey
 //! base, rolls along the wind, and flattened heads on top with narrow gaps between the rolls.
 
+use super::far::{self, Far, Ring};
 use super::{Sketch, by_plugin};
 use cloudwright_core::scene::Scene;
 use glam::DVec3;
@@ -46,6 +48,7 @@ pub(super) fn scene() -> Scene {
             );
         }
     }
+    beyond(&mut sketch);
     let scene = &mut sketch.scene;
     scene.time_of_day_h = 9.5;
     scene.sky.exposure_ev = -0.15;
@@ -57,6 +60,28 @@ pub(super) fn scene() -> Scene {
     sketch.camera("within", DVec3::new(0.0, 1050.0, 200.0), DVec3::new(400.0, 1080.0, -900.0), 60.0);
     down(&mut sketch);
     sketch.scene
+}
+
+/// The deck as it goes on: in pieces of 2.6 km, and from 6 km on of 5 km.
+fn beyond(sketch: &mut Sketch) {
+    let levels = "[[0.0, 0.27, 0.31, 0.38, 0.85], [0.18, 0.32, 0.36, 0.43, 0.97], [0.45, 0.42, 0.46, 0.53, 1.0], \
+                  [0.7, 0.49, 0.52, 0.57, 1.0], [1.0, 0.54, 0.56, 0.60, 0.95]]";
+    let near = Far {
+        category: "stratocumulus",
+        levels,
+        size: [2600.0, 2000.0],
+        rolls: [4, 13],
+        floor: 22,
+        sprite: [380.0, 720.0],
+        squash: 0.5,
+        up: [170.0, 80.0],
+        tiles: "stratocumulus",
+    };
+    let wide = Far { size: [5000.0, 3900.0], rolls: [4, 12], floor: 16, sprite: [760.0, 1400.0], squash: 0.28, ..near };
+    let middle = DVec3::Y * BASE_M;
+    let ring = Ring { middle, inner_m: 2150.0, outer_m: 7000.0, heading_deg: 0.0, gaps: 0.12 };
+    far::lay(sketch, &near, &Ring { inner_m: 1800.0, ..ring });
+    far::lay(sketch, &wide, &Ring { inner_m: 6000.0, outer_m: 14_000.0, gaps: 0.22, ..ring });
 }
 
 /// Over the tops, into the deck and out below it, at 90 to 100 m/s.

@@ -6,9 +6,18 @@ use cloudwright_core::scene::{Category, Scene};
 use glam::DVec3;
 
 pub(super) fn scene() -> Scene {
-    let mut sketch = Sketch::new("Single cumulus", 14);
-    let kind =
-        Cumulus { base: [640.0, 470.0], height: 860.0, heaps: 9, heap_radius: [165.0, 255.0], peak: 0.62, wisps: 3 };
+    let mut sketch = Sketch::new("Single cumulus", 20);
+    let kind = Cumulus {
+        base: [640.0, 470.0],
+        height: 860.0,
+        heaps: 10,
+        heap_radius: [165.0, 255.0],
+        peak: 0.66,
+        wisps: 3,
+        crowns: 2,
+        lean: 0.12,
+        decay: 0.0,
+    };
     let id = cumulus(&mut sketch, "cumulus", Category::CumulusCongestus, &kind);
     let base = 900.0;
     sketch.place(id, "cumulus", DVec3::new(0.0, base, 0.0), 20.0, 1.0, None);

@@ -1,9 +1,9 @@
 //! Morning stratus in a basin: a thin, soft sheet some 120 m thick with a ragged edge and scraps beneath, an hour
 //! after sunrise.
 
+use super::far::{self, Far, Ring};
 use super::{Sketch, by_plugin};
-use cloudwright_core::color::{Rgb, Rgba};
-use cloudwright_core::scene::{DailyTable, Scene};
+use cloudwright_core::scene::Scene;
 use glam::DVec3;
 
 const BASE_M: f64 = 330.0;
@@ -40,6 +40,7 @@ pub(super) fn scene() -> Scene {
             }
         }
     }
+    beyond(&mut sketch);
     let places = [(-1900.0, 300.0), (-900.0, 1500.0), (600.0, 900.0), (1700.0, 1900.0), (-2600.0, -900.0)];
     for (i, (x, z)) in places.into_iter().enumerate() {
         let heading = sketch.roll(0.0, 360.0);
@@ -50,8 +51,6 @@ pub(super) fn scene() -> Scene {
     scene.time_of_day_h = 7.8;
     scene.sky.turbidity = 3.0;
     scene.sky.haze_length_m = 9_000.0;
-    scene.sky.ambient = september_ambient();
-    scene.sky.directional = september_sun();
     scene.site.date.month = 9;
     sketch.camera("main", DVec3::new(-2700.0, 760.0, 2500.0), DVec3::new(600.0, 330.0, -1500.0), 52.0);
     sketch.camera("below", DVec3::new(-1500.0, 90.0, 1900.0), DVec3::new(200.0, 330.0, -600.0), 62.0);
@@ -59,34 +58,20 @@ pub(super) fn scene() -> Scene {
     sketch.scene
 }
 
-/// The sun rises at a quarter to seven: an hour and a half later than in the midsummer of the default tables.
-fn september_sun() -> DailyTable<Rgb> {
-    DailyTable::new([
-        (0.0, Rgb::new(0.050, 0.060, 0.085)),
-        (6.3, Rgb::new(0.010, 0.012, 0.018)),
-        (6.9, Rgb::new(1.10, 0.42, 0.188)),
-        (7.8, Rgb::new(1.42, 0.85, 0.47)),
-        (10.0, Rgb::new(1.15, 1.00, 0.81)),
-        (13.0, Rgb::new(1.02, 0.95, 0.84)),
-        (16.5, Rgb::new(1.12, 0.96, 0.75)),
-        (18.4, Rgb::new(1.33, 0.75, 0.39)),
-        (19.2, Rgb::new(1.12, 0.44, 0.188)),
-        (19.8, Rgb::new(0.010, 0.012, 0.018)),
-    ])
-}
-
-/// The sky's light of the same days.
-fn september_ambient() -> DailyTable<Rgba> {
-    DailyTable::new([
-        (0.0, Rgba::new(0.030, 0.036, 0.060, 1.0)),
-        (5.8, Rgba::new(0.030, 0.036, 0.060, 1.0)),
-        (6.7, Rgba::new(0.16, 0.16, 0.23, 1.0)),
-        (7.8, Rgba::new(0.31, 0.34, 0.43, 1.0)),
-        (10.0, Rgba::new(0.45, 0.51, 0.62, 1.0)),
-        (13.0, Rgba::new(0.49, 0.55, 0.66, 1.0)),
-        (16.5, Rgba::new(0.45, 0.50, 0.62, 1.0)),
-        (18.6, Rgba::new(0.30, 0.31, 0.43, 1.0)),
-        (19.6, Rgba::new(0.16, 0.16, 0.26, 1.0)),
-        (20.8, Rgba::new(0.030, 0.036, 0.060, 1.0)),
-    ])
+/// The sheet as it goes on to 14 km, with bays of its own.
+fn beyond(sketch: &mut Sketch) {
+    let far = Far {
+        category: "stratus",
+        levels: "[[0.0, 0.34, 0.37, 0.44, 0.55], [0.25, 0.38, 0.41, 0.48, 0.80], [0.5, 0.44, 0.47, 0.53, 0.90], \
+                 [0.8, 0.52, 0.54, 0.58, 0.92], [1.0, 0.58, 0.59, 0.62, 0.80]]",
+        size: [4200.0, 3200.0],
+        rolls: [5, 15],
+        floor: 34,
+        sprite: [520.0, 1050.0],
+        squash: 0.17,
+        up: [100.0, 30.0],
+        tiles: "nimbostratus",
+    };
+    let middle = DVec3::new(0.0, BASE_M, -1300.0);
+    far::lay(sketch, &far, &Ring { middle, inner_m: 5600.0, outer_m: 14_000.0, heading_deg: 103.0, gaps: 0.2 });
 }

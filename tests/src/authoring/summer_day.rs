@@ -45,7 +45,9 @@ fn models(sketch: &mut Sketch) -> Vec<ModelId> {
         ("congestus", Category::CumulusCongestus, [640.0, 500.0], 960.0, 11, [145.0, 255.0], 0.72, 2),
     ];
     let model = |(name, category, base, height, heaps, heap_radius, peak, wisps): (_, _, _, _, _, _, _, _)| {
-        cumulus(sketch, name, category, &Cumulus { base, height, heaps, heap_radius, peak, wisps })
+        let crowns = if height > 400.0 { 2 } else { 1 };
+        let kind = Cumulus { base, height, heaps, heap_radius, peak, wisps, crowns, ..Cumulus::default() };
+        cumulus(sketch, name, category, &kind)
     };
     kinds.map(model).into()
 }

@@ -1,7 +1,7 @@
 //! What bounds are made from.
 
 use super::figure::Figure;
-use cloudwright_core::rules::STOP_BELOW;
+use cloudwright_core::rules::Blending;
 
 /// Off the truth by rounding, for the brightest light of 1: texels are filtered with weights of 15 bits, each of four off
 /// by 2⁻¹⁵ at most. A solid texel is then off by four such parts, a layer's opacity by as many parts of itself, and a
@@ -9,7 +9,7 @@ use cloudwright_core::rules::STOP_BELOW;
 pub const ROUNDING: f64 = 4.0 / 32_768.0;
 
 /// Off the truth by what the shipped method leaves out behind what hides it.
-pub const STOP: f64 = STOP_BELOW as f64;
+pub const STOP: f64 = Blending::SHIPPED.stop_below as f64;
 
 /// Where two neighbours of opacity `alpha`, one black, the other white, are drawn in the wrong order.
 pub const fn swapped(alpha: f64) -> f64 {

@@ -62,7 +62,7 @@ impl Figure {
             Self::Steps => "largest change of any pixel's opacity from picture to picture, whatever the truth does",
             Self::Sprites => {
                 "largest change of any sprite's alpha, facing or up for each metre that it and the eye pass one another, \
-                 times its lock distance, as a share of 6, 7 and 28"
+                 times its lock distance, as a share of 3.2, 4 and 16"
             }
             Self::Moves => "how far any sprite is carried from its rest, in its cloud's reach",
             Self::Rates => "largest change of any pixel's opacity when frames come 10, 60 or 240 times a second",

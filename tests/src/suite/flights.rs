@@ -1,7 +1,7 @@
 //! Eyes that move: through sprites, past them, and hovering where something changes.
 
 use super::Situation;
-use super::bounds::{Bound, ROUNDING, exact, swapped};
+use super::bounds::{Bound, ROUNDING, exact};
 use super::figure::Figure;
 use super::heap_flights::{self, noise};
 use super::sprite_changes::CHANGES;
@@ -73,7 +73,7 @@ pub(super) const SITUATIONS: &[Situation] = &[
         bound: Bound {
             figure: Figure::Steps,
             at_most: 0.9 * CHANGES.fade as f64 / LOCK_M * 0.5 + 2.0 * ROUNDING,
-            because: "Its alpha changes by 6 / lock distance a metre at most, and by half of that in a step.",
+            because: "Its alpha changes by 3.2 / lock distance a metre at most, and by half of that in a step.",
         },
         breaks: &["no-lock", "lock-without-fade", "dot-product", "view-plane"],
     },
@@ -83,8 +83,8 @@ pub(super) const SITUATIONS: &[Situation] = &[
         stage: || beside_plate(into_lock().chain(aside()), 190),
         bound: Bound {
             figure: Figure::Opacity,
-            at_most: 0.9 * 0.5 / LOCK_M + ROUNDING,
-            because: "Within the lock distance r a sprite shows as far as the eye is before its plane, 0.5 m / r of its \
+            at_most: 0.9 * 0.5 / (2.0 * LOCK_M) + ROUNDING,
+            because: "Within the lock distance r a sprite shows as far as the eye is before its plane, 0.5 m / 2r of its \
                       opacity, and can be wrong by no more than it shows.",
         },
         breaks: &["no-lock", "lock-without-fade", "view-plane"],
@@ -107,11 +107,11 @@ pub(super) const SITUATIONS: &[Situation] = &[
         stage: changing_places,
         bound: Bound {
             figure: Figure::Excess,
-            at_most: swapped(0.6) + 2.0 * ROUNDING,
-            because: "When the two change places, a pixel changes by α² times the difference of their colours, and there \
-                      is no third.",
+            at_most: 2.0 * ROUNDING,
+            because: "Each pixel orders the two by their own depths there, as the truth's rays do, so nothing changes places \
+                      at once: both of two pictures are off by rounding alone.",
         },
-        breaks: &[],
+        breaks: &["by-sprites"],
     },
     Situation {
         name: "past two sprites after a rest",
@@ -127,8 +127,8 @@ pub(super) const SITUATIONS: &[Situation] = &[
 const SPRITES: Bound = Bound {
     figure: Figure::Sprites,
     at_most: 1.0,
-    because: "For each metre flown, times its lock distance, a sprite's alpha changes by 6 at most, its facing by 7 and \
-              its up by 28, as derived beside the rule.",
+    because: "For each metre flown, times its lock distance, a sprite's alpha changes by 3.2 at most, its facing by 4 and \
+              its up by 16, as derived beside the rule.",
 };
 
 /// Half the radius of a plate of 100 m.

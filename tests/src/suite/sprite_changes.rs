@@ -25,11 +25,11 @@ pub struct SpriteChanges {
 
 /// What the shipped rule keeps. Steps of a flight change by less than their steepest place does.
 ///
-/// Alpha: 6, as core/src/facing/lock.rs derives. Facing, weighted by alpha A ≤ |m|: |dm/|m|| · |m| = |dm| ≤ |s'| |e − n| +
-/// s |e'| ≤ 3 · 2 + 1 = 7. Up: it turns as far as the facing, and relaxes by RELAXING times that; a sprite that simply
-/// faces the eye from beyond the shell has its up by direction: 1 + tan of 64° = 3 times the turn of at most 1/1.5.
+/// Alpha: 3.2, as core/src/facing/lock.rs derives. Facing, weighted by alpha A ≤ |m|: |dm/|m|| · |m| = |dm| ≤ |s'| |e − n| +
+/// s |e'| ≤ 1.5 · 2 + 1 = 4. Up: it turns as far as the facing, and relaxes by RELAXING times that; a sprite that simply
+/// faces the eye from beyond the shell has its up by direction: 1 + tan of 64° = 3 times the turn of at most 1/2.
 /// Noise of a millimetre: f32 directions are good to 10⁻⁷, by 10⁻³ m and r = 35 m that is 0.004.
-pub const CHANGES: SpriteChanges = SpriteChanges { fade: 6.0, facing: 7.0, up: 7.0 * (1.0 + RELAXING) };
+pub const CHANGES: SpriteChanges = SpriteChanges { fade: 3.2, facing: 4.0, up: 4.0 * (1.0 + RELAXING) };
 
 impl SpriteChanges {
     /// The largest of the three, as a share of what [`CHANGES`] allows it.

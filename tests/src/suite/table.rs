@@ -4,6 +4,7 @@ use super::{Situation, Stage, situations};
 use cloudwright_core::color::{Premultiplied, Rgb};
 use cloudwright_core::draw::Drawn;
 use cloudwright_core::method::{Family, METHODS, Method, truth};
+use cloudwright_core::rules::Rasterizer;
 
 /// What came of a situation.
 pub struct Row {
@@ -46,7 +47,7 @@ fn judged(situation: &'static Situation) -> Row {
     let mut faults = Vec::new();
     let truths = stage.draw(&truth().rules).unwrap_or_default();
     note_odd_pixels(truth(), &truths, &mut faults);
-    let judged = METHODS.iter().filter(|method| method.family != Family::Truth);
+    let judged = METHODS.iter().filter(|method| method.rules.rasterizer != Rasterizer::Truth);
     let cells = judged.filter_map(|method| cell(situation, &stage, method, &truths, &mut faults)).collect();
     let known = |name: &&&str| METHODS.iter().any(|method| method.name == **name);
     faults.extend(situation.breaks.iter().filter(|name| !known(name)).map(|name| format!("there is no method {name}")));

@@ -106,14 +106,14 @@ const APP: [&[&str]; 13] = [
 
 /// The rooms of core from above, in the same way.
 const CORE: [&[&str]; 19] = [
-    &["exchange", "thin"],
+    &["exchange", "fit_light", "thin"],
     &["draw", "method"],
     &["measure", "variants"],
     &["raster"],
     &["frame"],
     &["sight"],
     &["model_in_view", "preset", "reported"],
-    &["formats"],
+    &["formats", "traced"],
     &["density"],
     &["posed_sprite", "view_history"],
     &["arrange", "rules", "shading", "sky"],

@@ -1,4 +1,4 @@
-//! Only what a change touched is computed again, in a scene of 200 boxes.
+//! Only what a change touched is computed again, in a scene of some four hundred boxes.
 
 use cloudwright_core::derived::{Derived, WorkDone};
 use cloudwright_core::document::{Document, Edit, ListEdit};
@@ -19,7 +19,7 @@ fn counts(work: WorkDone) -> [u64; 3] {
 #[test]
 fn what_is_touched_and_nothing_else() {
     let scene = overcast();
-    assert_eq!(scene.clouds.iter().filter_map(|cloud| Some(scene.model(cloud.model)?.boxes.len())).sum::<usize>(), 200);
+    assert!(scene.clouds.iter().filter_map(|cloud| Some(scene.model(cloud.model)?.boxes.len())).sum::<usize>() > 300);
     let model = &scene.models[0];
     let placements: Vec<&Cloud> = scene.clouds.iter().filter(|cloud| cloud.model == model.id).collect();
     assert!(

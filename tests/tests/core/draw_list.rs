@@ -5,7 +5,7 @@ use cloudwright_core::draw_list::{DrawList, DrawSprite, FACES_EYE, Hidden, sort_
 use cloudwright_core::facing::Pose;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::{fast, plain};
-use cloudwright_core::rules::NEVER_STOP;
+use cloudwright_core::rules::Blending;
 use cloudwright_core::scene::Camera;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -71,7 +71,7 @@ proptest! {
         }
         sort_back_to_front(&mut all);
         let whole = Frame { list: DrawList::of_sprites(all, poses), ..frame.clone() };
-        let (seen, whole) = (fast::clouds(&frame, NEVER_STOP), fast::clouds(&whole, NEVER_STOP));
+        let (seen, whole) = (fast::clouds(&frame, Blending::AS_PLAIN), fast::clouds(&whole, Blending::AS_PLAIN));
         prop_assert!(seen.pixels == whole.pixels);
     }
 }
@@ -111,7 +111,7 @@ fn what_is_hidden_is_not_drawn() {
 
     let no_cloud = frame(&Hidden { clouds: [scene.clouds[0].id].into(), ..Hidden::default() });
     assert!(no_cloud.list.sprites.is_empty());
-    for layer in [fast::clouds(&no_cloud, NEVER_STOP), plain::clouds(&no_cloud)] {
+    for layer in [fast::clouds(&no_cloud, Blending::AS_PLAIN), plain::clouds(&no_cloud)] {
         assert!(layer.pixels.iter().all(|pixel| pixel.a == 0.0));
     }
 }

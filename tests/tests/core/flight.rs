@@ -9,7 +9,7 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Picture;
 use cloudwright_core::method::{METHODS, Method, shipped, truth};
 use cloudwright_core::raster::{fast, plain};
-use cloudwright_core::rules::NEVER_STOP;
+use cloudwright_core::rules::Blending;
 use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{Camera, CameraPath, Formation, FormationChange, PathKey, Scene};
 use cloudwright_core::sight::Sight;
@@ -147,7 +147,7 @@ fn inside_a_cloud_fast_is_plain() {
         let frame = frame_of(&scene, &derived, (&camera, t_s), history);
         veiled += usize::from(frame.veil.a > 0.05);
         faded += usize::from(frame.fading.is_some());
-        let (fast, plain) = (fast::clouds(&frame, NEVER_STOP), plain::clouds(&frame));
+        let (fast, plain) = (fast::clouds(&frame, Blending::AS_PLAIN), plain::clouds(&frame));
         for (a, b) in fast.pixels.iter().zip(&plain.pixels) {
             let apart = [a.r - b.r, a.g - b.g, a.b - b.b, a.a - b.a].map(f32::abs).into_iter().fold(0.0, f32::max);
             assert!(apart <= 2e-3, "{t_s} s: {a:?} for {b:?}");
@@ -193,7 +193,8 @@ fn forming_does_not_depend_on_steps() {
 }
 
 /// What two opposite half-chords from inside a cloud hide is what the whole chord hides from outside. Without the veil
-/// much of it is missing; with it, it is there again, within what a ball of uniform depth stands for.
+/// much of it is missing; with it, it is there again, within what a ball of uniform depth stands for: sprites before and behind
+/// the eye give all of theirs, those beside it, a good third, some 0.4 of it.
 #[test]
 fn the_veil_brings_back_what_is_missing_inside() {
     let mut scene = heap(40);
@@ -222,5 +223,5 @@ fn the_veil_brings_back_what_is_missing_inside() {
         }
     }
     assert!(bare < 0.8 * outside, "without a veil {bare} of {outside}");
-    assert!((0.75..=1.25).contains(&(veiled / outside)), "with one {veiled} of {outside}, {bare} without");
+    assert!((0.7..=1.25).contains(&(veiled / outside)), "with one {veiled} of {outside}, {bare} without");
 }

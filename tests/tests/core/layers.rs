@@ -3,13 +3,13 @@
 use cloudwright_core::color::{Rgb, srgb_from_linear};
 use cloudwright_core::derived::Derived;
 use cloudwright_core::draw;
-use cloudwright_core::draw_list::DrawList;
+use cloudwright_core::draw_list::{DrawList, Sorting};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::{LayeredPixel, Layers, LinearPicture};
 use cloudwright_core::model_in_view::Meshes;
 use cloudwright_core::raster::fast;
 use cloudwright_core::raster::layers::{Later, layers};
-use cloudwright_core::rules::{NEVER_STOP, Rules, STOP_BELOW};
+use cloudwright_core::rules::{Blending, Rules};
 use cloudwright_core::scene::{Camera, Prop, PropId, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -105,14 +105,16 @@ fn means_and_faded_orders_sum_to_the_picture() {
         assert_eq!([layers.width, layers.height], [64, 36]);
         assert!(steps_apart(&layers.composed(), &picture, frame.now.exposure) <= 0.5);
     });
-    let (derived, sight) = (Derived::new(&scene), Sight::still(&scene.cameras[0], SIZE));
+    let rules = Rules::SHIPPED.sorted(Sorting::Crossfade);
+    let (derived, sight) = (Derived::new(&scene), Sight { rules, ..Sight::still(&scene.cameras[0], SIZE) });
     let mut frame = Frame::new(&scene, &derived, Atlas::built_in(), &sight);
     let reversed = frame.list.sprites.iter().rev().copied().collect();
     frame.fading = Some((DrawList::of_sprites(reversed, frame.list.poses.clone()), 0.3));
-    let layers = layers(&frame, &Later::new(&scene, &derived, &sight), STOP_BELOW);
-    let picture = fast::linear_picture(&frame);
+    let layers = draw::layers(&frame, &Later::new(&scene, &derived, &sight)).expect("drawn fast");
+    let linear = |frame: &Frame<'_>| draw::linear(frame, &Watch::default()).expect("drawn fast");
+    let picture = linear(&frame);
     assert!(steps_apart(&layers.composed(), &picture, frame.now.exposure) <= 0.5);
-    let alone = fast::linear_picture(&Frame { fading: None, ..frame });
+    let alone = linear(&Frame { fading: None, ..frame });
     assert!(steps_apart(&alone, &picture, 1.0) > 1.0, "the other order shows");
 }
 
@@ -125,13 +127,13 @@ fn each_light_is_what_it_says() {
         let (derived, sight) = (Derived::new(&scene), Sight::still(camera, SIZE));
         let frame = Frame::new(&scene, &derived, Atlas::built_in(), &sight);
         let later = Later::new(&scene, &derived, &sight);
-        let lit = layers(&frame, &later, NEVER_STOP);
+        let lit = layers(&frame, &later, Blending::AS_PLAIN);
         let mut sunless = frame.clone();
         sunless.now.light.directional_max = Rgb::BLACK;
         sunless.veil.r -= frame.veil_directional.r;
         sunless.veil.g -= frame.veil_directional.g;
         sunless.veil.b -= frame.veil_directional.b;
-        let wanted = fast::clouds(&sunless, NEVER_STOP);
+        let wanted = fast::clouds(&sunless, Blending::AS_PLAIN);
         for (got, wanted) in lit.pixels.iter().zip(&wanted.pixels) {
             let (got, wanted) = (got.ambient + got.haze, Rgb::new(wanted.r, wanted.g, wanted.b));
             let apart = got.to_array().into_iter().zip(wanted.to_array()).map(|(a, b)| (a - b).abs());

@@ -9,7 +9,7 @@ use cloudwright_core::method;
 use cloudwright_core::model_in_view::{Meshes, ModelInView};
 use cloudwright_core::raster::models::plain::PlacedModels;
 use cloudwright_core::raster::{fast, plain, truth};
-use cloudwright_core::rules::{NEVER_STOP, Rasterizer, Rules};
+use cloudwright_core::rules::{Blending, Rasterizer, Rules};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -54,8 +54,8 @@ fn a_board_has_its_closed_form() {
             let counts = |i: usize| board.within(ray(frame, i)).abs() > edge;
             let drawn = [
                 ("plain", plain::linear_picture(frame), 1e-4),
-                ("fast", fast::linear_picture_stopping(frame, NEVER_STOP), FAST_IS_PLAIN),
-                ("one by one", fast::linear_picture_one_by_one(frame, NEVER_STOP), 1e-2),
+                ("fast", fast::linear_picture_by(frame, Blending::AS_PLAIN), FAST_IS_PLAIN),
+                ("one by one", fast::linear_picture_one_by_one(frame, Blending::AS_PLAIN), 1e-2),
             ];
             for (name, drawn, most) in drawn {
                 let apart = largest(&drawn, &wanted, counts);
@@ -75,7 +75,7 @@ fn a_sprite_shows_as_far_as_it_lies_before_a_model() {
     let by = |rasterizer| Rules { rasterizer, samples_side: 1, ..Rules::SHIPPED };
     let renderers = [
         (by(Rasterizer::Plain), 1e-4),
-        (by(Rasterizer::Fast { stop_below: NEVER_STOP }), 2e-3),
+        (by(Rasterizer::Fast(Blending::AS_PLAIN)), 2e-3),
         // What it blends has other mip levels by a hair, and 8 bits.
         (by(Rasterizer::Truth), 4e-2),
         (by(Rasterizer::EightBits), 4e-2),
@@ -111,6 +111,7 @@ fn meshes_fast_are_meshes_plain() {
         from_eye: Vec3::from_array(from_eye),
         turn: Quat::from_euler(glam::EulerRot::YXZ, turn[0], turn[1], turn[2]),
         scale,
+        sunlit: 1.0,
     };
     let near = aircraft([2.0, -1.0, -25.0], [0.6, 0.2, 0.4], 1.0);
     let cases = [
@@ -128,7 +129,7 @@ fn meshes_fast_are_meshes_plain() {
     let scene = heap(20);
     for (name, models) in cases {
         among(&scene, models, Rules::SHIPPED, |frame| {
-            let (fast, plain) = (fast::linear_picture_stopping(frame, NEVER_STOP), plain::linear_picture(frame));
+            let (fast, plain) = (fast::linear_picture_by(frame, Blending::AS_PLAIN), plain::linear_picture(frame));
             let off = fast.pixels.iter().zip(&plain.pixels).filter(|(a, b)| apart(**a, **b) > FAST_IS_PLAIN).count();
             // A ray in 32 bits may pass an edge on the other side: of rays through edges one in thousands.
             assert!(off <= 3, "{name}: {off} pixels are off");
@@ -171,6 +172,7 @@ fn same_bytes_on_any_number_of_threads() {
         from_eye: Vec3::new(0.0, 0.0, -20.0),
         turn: Quat::IDENTITY,
         scale: 1.0,
+        sunlit: 1.0,
     };
     let draw = |threads| {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");

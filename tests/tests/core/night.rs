@@ -4,7 +4,7 @@ use cloudwright_core::color::Rgb;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::{fast, plain};
-use cloudwright_core::rules::NEVER_STOP;
+use cloudwright_core::rules::Blending;
 use cloudwright_core::scene::{Camera, Date, Scene, Sun};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -49,7 +49,7 @@ fn the_fast_sky_is_the_plain_one() {
         ("so coarse that stars fade", towards(moon, 60.0), [90, 60]),
     ] {
         with_frame(&scene, &camera, (size, 1.0), |frame| {
-            let (fast, plain) = (fast::picture_stopping(frame, NEVER_STOP), plain::picture(frame));
+            let (fast, plain) = (fast::picture_by(frame, Blending::AS_PLAIN), plain::picture(frame));
             let off = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
             let worst = fast.pixels.iter().zip(&plain.pixels).map(off).max().unwrap_or(0);
             // As by day: under one step of 8 bits, and rounding may add another.

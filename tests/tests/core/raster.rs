@@ -6,7 +6,7 @@ use cloudwright_core::frame::Frame;
 use cloudwright_core::image::Layer;
 use cloudwright_core::random::{draw, unit};
 use cloudwright_core::raster::{fast, plain, prepare};
-use cloudwright_core::rules::NEVER_STOP;
+use cloudwright_core::rules::{Blending, NEVER_STOP};
 use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -14,14 +14,14 @@ use cloudwright_tests::authoring;
 use cloudwright_tests::small_scenes::{heap, single_sprites};
 use glam::DVec3;
 
-const SIZE: [u32; 2] = [215, 120];
+pub const SIZE: [u32; 2] = [215, 120];
 
-fn with_frame<T>(scene: &Scene, camera: &Camera, size: [u32; 2], f: impl FnOnce(&Frame<'_>) -> T) -> T {
+pub fn with_frame<T>(scene: &Scene, camera: &Camera, size: [u32; 2], f: impl FnOnce(&Frame<'_>) -> T) -> T {
     let derived = Derived::new(scene);
     f(&Frame::new(scene, &derived, Atlas::built_in(), &Sight::still(camera, size)))
 }
 
-fn largest_difference(a: &Layer, b: &Layer) -> f32 {
+pub fn largest_difference(a: &Layer, b: &Layer) -> f32 {
     let channels = |p: &Premultiplied| [p.r, p.g, p.b, p.a];
     // f32::max passes over what is no number: that differs most of all.
     let apart = |x: f32, y: f32| if (x - y).is_nan() { f32::INFINITY } else { (x - y).abs() };
@@ -30,7 +30,7 @@ fn largest_difference(a: &Layer, b: &Layer) -> f32 {
 }
 
 /// Scenes and cameras where renderers tend to differ.
-fn cases() -> Vec<(String, Scene, Camera)> {
+pub fn cases() -> Vec<(String, Scene, Camera)> {
     let mut cases: Vec<(String, Scene, Camera)> = Vec::new();
     for (name, make) in authoring::SCENES {
         let scene = make();
@@ -76,7 +76,7 @@ fn cases() -> Vec<(String, Scene, Camera)> {
 /// The fast one filters with weights of 15 bits: up to 2⁻¹⁵ for each of four texels, in alpha and colour, at two mip
 /// levels. What n layers add up to is bounded by the sum of what each lets through, at most 1/α of the thinnest that
 /// matter; with 8 layers' worth: 8 · 4 · 2⁻¹⁵ ≈ 10⁻³. Light up to 2 doubles it.
-const FAST_IS_PLAIN: f32 = 2e-3;
+pub const FAST_IS_PLAIN: f32 = 2e-3;
 
 /// Clouds over sky and ground, in bytes.
 #[test]
@@ -84,7 +84,7 @@ fn whole_pictures_agree() {
     let scene = heap(40);
     with_frame(&scene, &scene.cameras[0], [1280, 720], |frame| {
         let off = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
-        let (fast, plain) = (fast::picture_stopping(frame, NEVER_STOP), plain::picture(frame));
+        let (fast, plain) = (fast::picture_by(frame, Blending::AS_PLAIN), plain::picture(frame));
         let worst = fast.pixels.iter().zip(&plain.pixels).map(off).max();
         assert!(worst <= Some(2), "{worst:?}");
     });
@@ -95,10 +95,10 @@ fn fast_is_plain() {
     for (name, scene, camera) in cases() {
         with_frame(&scene, &camera, SIZE, |frame| {
             let plain = plain::clouds(frame);
-            let difference = largest_difference(&fast::clouds(frame, NEVER_STOP), &plain);
+            let difference = largest_difference(&fast::clouds(frame, Blending::AS_PLAIN), &plain);
             assert!(difference <= FAST_IS_PLAIN, "{name}: {difference}");
             // Another order of the same products: some units in the last place of 2⁻²⁴, for each of the layers.
-            let difference = largest_difference(&fast::clouds_one_by_one(frame, NEVER_STOP), &plain);
+            let difference = largest_difference(&fast::clouds_one_by_one(frame, Blending::AS_PLAIN), &plain);
             assert!(difference <= 1e-5, "{name}, one by one: {difference}");
         });
     }
@@ -110,7 +110,7 @@ fn backgrounds_agree() {
         // Without clouds, in a size where the sky is interpolated between nodes.
         scene.clouds.clear();
         with_frame(&scene, &camera, [1280, 720], |frame| {
-            let (fast, plain) = (fast::picture_stopping(frame, NEVER_STOP), plain::picture(frame));
+            let (fast, plain) = (fast::picture_by(frame, Blending::AS_PLAIN), plain::picture(frame));
             let off = |(a, b): (&[u8; 4], &[u8; 4])| (0..3).map(|c| a[c].abs_diff(b[c])).max().unwrap_or(0);
             let worst = fast.pixels.iter().zip(&plain.pixels).map(off).max().unwrap_or(0);
             // The sky between nodes is within 0.5 %, under one step of 8 bits; rounding may add another.
@@ -124,7 +124,8 @@ fn backgrounds_agree() {
 fn stopping_early_does_not_show() {
     for (name, scene, camera) in cases() {
         with_frame(&scene, &camera, SIZE, |frame| {
-            let (stopped, whole) = (fast::picture(frame), fast::picture_stopping(frame, NEVER_STOP));
+            let whole = Blending { stop_below: NEVER_STOP, ..Blending::SHIPPED };
+            let (stopped, whole) = (fast::picture(frame), fast::picture_by(frame, whole));
             let seen = stopped
                 .pixels
                 .iter()
@@ -170,7 +171,7 @@ fn any_size_of_picture() {
     for size in [[1, 1], [1, 300], [300, 1], [33, 31], [1281, 41], [2000, 3]] {
         with_frame(&scene, &scene.cameras[0], size, |frame| {
             assert_eq!(fast::picture(frame).pixels.len(), (size[0] * size[1]) as usize);
-            let difference = largest_difference(&fast::clouds(frame, NEVER_STOP), &plain::clouds(frame));
+            let difference = largest_difference(&fast::clouds(frame, Blending::AS_PLAIN), &plain::clouds(frame));
             assert!(difference <= FAST_IS_PLAIN, "{size:?}: {difference}");
         });
     }

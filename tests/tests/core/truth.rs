@@ -2,10 +2,14 @@
 
 use cloudwright_core::camera::View;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::draw;
+use cloudwright_core::draw_list::Sorting;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::LinearPicture;
+use cloudwright_core::method;
 use cloudwright_core::raster::{fast, prepare, truth};
-use cloudwright_core::scene::Scene;
+use cloudwright_core::rules::{HazeRule, Rules};
+use cloudwright_core::scene::{Camera, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
 use cloudwright_core::watch::Watch;
@@ -56,7 +60,7 @@ fn opacity_of_a_stack() {
 }
 
 /// Two quads that cross: left of the crossing one is nearer, right of it the other. The truth shows both in front, the
-/// sorted renderer only one.
+/// fast way also, and only one where it blends whole sprites.
 #[test]
 fn crossing_sprites_are_ordered_along_each_ray() {
     let mut scene = single_sprites(&[(DVec3::new(-8.0, 0.0, -60.0), 80.0), (DVec3::new(8.0, 0.0, -60.0), 80.0)]);
@@ -72,8 +76,13 @@ fn crossing_sprites_are_ordered_along_each_ray() {
     assert!((left - right).abs() > 0.3, "left {left}, right {right}");
     let derived = Derived::new(&scene);
     let atlas = even_atlas(255);
-    let frame = Frame::new(&scene, &derived, &atlas, &Sight::still(&scene.cameras[0], size));
-    let sorted = fast::linear_picture(&frame);
+    let mut frame = Frame::new(&scene, &derived, &atlas, &Sight::still(&scene.cameras[0], size));
+    let fast = fast::linear_picture(&frame);
+    for at in [row + 40, row + 60] {
+        assert!((fast.pixels[at].g - truth.pixels[at].g).abs() < 0.01, "{} {}", fast.pixels[at].g, truth.pixels[at].g);
+    }
+    frame.rules = frame.rules.sorted(Sorting::Crossfade);
+    let sorted = draw::linear(&frame, &Watch::default()).expect("drawn fast");
     let (left, right) = (sorted.pixels[row + 40].g, sorted.pixels[row + 60].g);
     assert!((left - right).abs() < 0.05, "one order for whole sprites: left {left}, right {right}");
 }
@@ -116,4 +125,40 @@ fn texture_coordinates_invert_the_projection() {
             assert!((on_screen.v.at(at.x, at.y) / denominator - v_want).abs() < 1e-3);
         }
     }
+}
+
+/// A sprite straight ahead lies across the view, so a ray meets it at its own length times the view depth: the haze there is
+/// known, and less of it lies before the middle than before the corners.
+#[test]
+fn haze_a_fragment_is_that_of_each_ray() {
+    let mut scene = single_sprites(&[(DVec3::new(0.0, 0.0, -500.0), 900.0)]);
+    scene.sky.inside_density = 0.0;
+    let camera = Camera { field_of_view_deg: 80.0, ..scene.cameras[0].clone() };
+    let derived = Derived::new(&scene);
+    let drawn = |haze, length_m: f32| {
+        let rules = Rules { haze, ..method::truth().rules };
+        let sight = Sight { rules, ..Sight::still(&camera, [24, 16]) };
+        let mut frame = Frame::new(&scene, &derived, Atlas::built_in(), &sight);
+        frame.background.haze_length_m = length_m;
+        let (_, clouds) = truth::picture_and_clouds(&frame, 1, &Watch::default());
+        (clouds, frame.background.dome.clone(), frame.view)
+    };
+    let (clear, ..) = drawn(HazeRule::ASprite, 1e12);
+    let (hazed, dome, view) = drawn(HazeRule::AFragment, 1000.0);
+    let (by_sprite, ..) = drawn(HazeRule::ASprite, 1000.0);
+    let mut apart = 0.0_f32;
+    for (at, ((clear, got), single)) in clear.pixels.iter().zip(&hazed.pixels).zip(&by_sprite.pixels).enumerate() {
+        let ray = view.ray((at % 24) as f32 + 0.5, (at / 24) as f32 + 0.5);
+        let share = 1.0 - (-0.5 * ray.length()).exp();
+        let horizon = dome.horizon(ray);
+        let want = [(clear.r, horizon.r), (clear.g, horizon.g), (clear.b, horizon.b)]
+            .map(|(light, horizon)| light * (1.0 - share) + horizon * share * clear.a);
+        let got_light = [got.r, got.g, got.b];
+        assert!(
+            got_light.iter().zip(want).all(|(got, want)| (got - want).abs() < 2e-4) && got.a == clear.a,
+            "{at}: {got:?}, not {want:?}"
+        );
+        apart = apart.max((got.g - single.g).abs());
+    }
+    assert!(apart > 5e-3, "one haze for all of it is another: {apart}");
 }

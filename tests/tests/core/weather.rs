@@ -6,7 +6,7 @@ use cloudwright_core::derived::Derived;
 use cloudwright_core::draw_list::{FACES_EYE, Run};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::raster::{fast, plain, prepare, truth};
-use cloudwright_core::rules::NEVER_STOP;
+use cloudwright_core::rules::Blending;
 use cloudwright_core::scene::{Formation, Scene};
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sprites::Atlas;
@@ -115,7 +115,7 @@ fn alpha_in_the_middle(change: fn(&mut SceneNow<'_>), of_list: fn(&mut Frame<'_>
         let mut frame = frame.clone();
         of_list(&mut frame);
         let middle = (SIZE[1] / 2 * SIZE[0] + SIZE[0] / 2) as usize;
-        [fast::clouds(&frame, NEVER_STOP), plain::clouds(&frame)].map(|layer| layer.pixels[middle].a)
+        [fast::clouds(&frame, Blending::AS_PLAIN), plain::clouds(&frame)].map(|layer| layer.pixels[middle].a)
     })
 }
 
@@ -156,7 +156,7 @@ fn runs_fade_each_by_itself() {
         let mut near = frame.clone();
         near.list.sprites.drain(..half);
         let (gone, near) = (runs(half, [0.0, 1.0]), near);
-        for draw in [plain::clouds, |frame: &Frame<'_>| fast::clouds(frame, NEVER_STOP)] {
+        for draw in [plain::clouds, |frame: &Frame<'_>| fast::clouds(frame, Blending::AS_PLAIN)] {
             assert!(draw(&gone) == draw(&near));
         }
         let truth = |frame: &Frame<'_>| truth::linear_picture(frame, 1, &Watch::default());

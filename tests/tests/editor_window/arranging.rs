@@ -81,7 +81,7 @@ fn each_command_and_its_way_back() {
         let after = window.file();
         assert_ne!(after, start, "{command:?}");
         assert_eq!(window.session().document().history().len(), steps + 1, "{command:?} is one step");
-        assert_eq!(window.undo_name().as_deref(), Some(command.row().label()));
+        assert_eq!(window.undo_name().as_deref(), Some(command.row().full_label().as_str()));
         window.command(Command::Undo);
         assert_eq!(window.file(), start, "{command:?}, undone");
         window.command(Command::Redo);

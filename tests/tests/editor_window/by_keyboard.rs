@@ -111,6 +111,7 @@ fn every_dialog_and_menu_has_names() {
     for command in [
         Command::AddPreset,
         Command::PlaceMany,
+        Command::FitLight,
         Command::ThinOut,
         Command::WeatherReport,
         Command::Export,

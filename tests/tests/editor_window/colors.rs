@@ -211,26 +211,26 @@ fn a_key_of_the_sky_is_added_moved_and_removed() {
     let before = hours(&scene.sky.ambient);
     window.press("Add ambient key");
     let added = hours(&window.scene().sky.ambient);
-    assert_eq!((added.len(), added[5]), (before.len() + 1, 12.0));
+    assert_eq!((added.len(), added[9]), (before.len() + 1, 12.0));
     assert_eq!(window.undo_name().as_deref(), Some("Ambient light"));
 
-    // Past the key at 9:00 and back to between it and 6:30.
+    // Past the key at 8:50 and back to between it and 7:20.
     let band = window.harness.get_by_label("Ambient over the day").rect();
-    let at = drag(&mut window, "Ambient key 6", vec2(-band.width() * 4.5 / 24.0, 0.0));
+    let at = drag(&mut window, "Ambient key 10", vec2(-band.width() * 4.5 / 24.0, 0.0));
     let moved = hours(&window.scene().sky.ambient);
-    assert!((moved[4] - 7.5).abs() < 0.1 && moved[5] == 9.0, "{moved:?}");
+    assert!((moved[8] - 7.5).abs() < 0.1 && moved[9] == before[8], "{moved:?}");
     let_go(&mut window, at);
     window.set("Ambient key opacity", 0.5);
-    assert_eq!(window.scene().sky.ambient.keys[4].value.a, 0.5, "the one in hand is the chosen one");
+    assert_eq!(window.scene().sky.ambient.keys[8].value.a, 0.5, "the one in hand is the chosen one");
     for _ in 0..2 {
         window.press("Undo");
     }
     assert_eq!(hours(&window.scene().sky.ambient), added, "a drag is one step");
 
-    window.node(Role::Slider, "Ambient key 6").focus();
+    window.node(Role::Slider, "Ambient key 10").focus();
     window.settle();
     window.keys(Modifiers::NONE, Key::ArrowRight);
-    assert!((window.scene().sky.ambient.keys[5].hour - 12.1).abs() < 1e-9);
+    assert!((window.scene().sky.ambient.keys[9].hour - 12.1).abs() < 1e-9);
     window.keys(Modifiers::NONE, Key::Delete);
     assert_eq!(window.scene().sky, scene.sky);
     assert_eq!(window.scene().clouds, scene.clouds, "Delete is the key's, not the selected cloud's");

@@ -17,6 +17,7 @@ mod editing;
 mod exchange;
 mod files;
 mod filming;
+mod fit_light;
 mod flight_panel;
 mod flying;
 mod folders;

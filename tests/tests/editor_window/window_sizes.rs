@@ -134,10 +134,11 @@ fn all_of_each_menu_can_be_reached() {
 }
 
 /// A command that asks, and a button of its answer.
-const DIALOGS: [(Command, &str); 15] = [
+const DIALOGS: [(Command, &str); 16] = [
     (Command::New, "Cancel"),
     (Command::AddPreset, "Cancel"),
     (Command::PlaceMany, "Cancel"),
+    (Command::FitLight, "Cancel"),
     (Command::ThinOut, "Cancel"),
     (Command::WeatherReport, "Cancel"),
     (Command::Export, "Cancel"),

@@ -8,11 +8,11 @@ mod models;
 use cloudwright_core::color::Rgb;
 use cloudwright_core::derived::Derived;
 use cloudwright_core::document::Document;
-use cloudwright_core::draw_list::DrawList;
+use cloudwright_core::draw_list::{DrawList, Hidden};
 use cloudwright_core::frame::Frame;
 use cloudwright_core::measure::{Counts, bytes_of_change};
 use cloudwright_core::raster::plain;
-use cloudwright_core::scene::Weather;
+use cloudwright_core::scene::{Scene, Sun, Weather};
 use cloudwright_core::shading::Veil;
 use cloudwright_core::sight::Sight;
 use cloudwright_core::sky::{MOON_RADIUS, NightSky};
@@ -21,6 +21,7 @@ use cloudwright_core::weather::Moment;
 use cloudwright_render::{AdapterChoice, Gpu, GpuRenderer, RenderError};
 use cloudwright_tests::gpu::{Allowance, Backend, Case, cases, required};
 use cloudwright_tests::part_edits::{PART_EDITS, heaps};
+use glam::DVec3;
 use libtest_mimic::{Arguments, Completion, Failed, Trial};
 use std::process::ExitCode;
 use std::sync::{Arc, PoisonError};
@@ -62,6 +63,7 @@ fn main() -> ExitCode {
             ("a_clock_that_moves_uploads_no_clouds", moments),
             ("each_part_of_a_cloud_is_uploaded_by_itself", part_uploads),
             ("what_is_hidden_is_not_drawn", hidden),
+            ("casters_are_uploaded_when_they_are_others", casters),
         ]
         .into_iter()
         .chain(models::TESTS)
@@ -191,13 +193,13 @@ fn timed(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     ensure(!time.duration.is_zero() && time.duration.as_secs() < 60, &format!("{time:?}"))
 }
 
-/// A camera that moves uploads twelve bytes a sprite in view, 48 a cloud and 32 a sprite near the eye; an edit uploads the
+/// A camera that moves uploads twelve bytes a sprite in view, 96 a cloud and 32 a sprite near the eye; an edit uploads the
 /// clouds.
 fn uploads(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
     case.with_frame(|frame| {
         let list = &frame.list;
-        let each_frame = (12 * list.sprites.len() + 80 * frame.clouds.len() + 32 * list.poses.len()) as u64;
+        let each_frame = (12 * list.sprites.len() + 96 * frame.clouds.len() + 32 * list.poses.len()) as u64;
         renderer.draw(gpu, frame)?;
         ensure(renderer.bytes_uploaded() > each_frame, "a scene not seen before was not uploaded")?;
         renderer.draw(gpu, frame)?;
@@ -225,7 +227,9 @@ fn moments(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
 
 /// After each edit: the bytes that core counts, and the picture that a renderer draws which has seen nothing else.
 fn part_uploads(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
-    let (scene, atlas) = (heaps(), Atlas::built_in());
+    let (mut scene, atlas) = (heaps(), Atlas::built_in());
+    // Casters are sent all at once.
+    scene.sky.cloud_shadows = 0.0;
     for part in PART_EDITS {
         let mut document = Document::new(scene.clone());
         let before = Derived::new(&scene);
@@ -249,6 +253,29 @@ fn part_uploads(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     Ok(())
 }
 
+/// Clouds cast shadows on the ground; hidden ones none, and for that their sprites are not sent again.
+fn casters(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
+    let mut scene = heaps();
+    // Looks at the ground below one of them.
+    (scene.cameras[0].position, scene.cameras[0].pitch_deg) = (DVec3::new(0.0, 1000.0, 900.0), -48.0);
+    scene.sun = Sun::ByHand { heading_deg: 180.0, elevation_deg: 89.0 };
+    let derived = Derived::new(&scene);
+    let all = Hidden { clouds: scene.clouds.iter().map(|cloud| cloud.id).collect(), ..Hidden::default() };
+    let mut ground = |scene: &Scene, hidden: &Hidden| {
+        let sight = Sight { hidden: hidden.clone(), ..Sight::still(&scene.cameras[0], [160, 90]) };
+        let frame = Frame::new(scene, &derived, Atlas::built_in(), &sight);
+        let frame = Frame { list: DrawList::default(), veil: Veil::CLEAR, ..frame };
+        Ok::<_, Failed>((renderer.picture(gpu, &frame)?, renderer.bytes_uploaded()))
+    };
+    let (shadowed, _) = ground(&scene, &Hidden::default())?;
+    let (hidden, sent) = ground(&scene, &all)?;
+    scene.sky.cloud_shadows = 0.0;
+    let (without, _) = ground(&scene, &Hidden::default())?;
+    ensure(shadowed != without, "nothing casts a shadow")?;
+    ensure(hidden == without, "a hidden cloud casts one")?;
+    ensure(sent == 96 * derived.clouds().len() as u64, &format!("{sent} bytes to hide clouds"))
+}
+
 /// Hiding is the list's affair: nothing is uploaded anew for it.
 fn hidden(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     let Some(case) = cases().into_iter().next() else { return Err("there are no cases".into()) };
@@ -256,7 +283,7 @@ fn hidden(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
         renderer.draw(gpu, frame)?;
         let empty = Frame { list: DrawList::default(), veil: Veil::CLEAR, ..frame.clone() };
         let layer = renderer.clouds(gpu, &empty)?;
-        ensure(renderer.bytes_uploaded() == 80 * frame.clouds.len() as u64, "hiding uploaded something")?;
+        ensure(renderer.bytes_uploaded() == 96 * frame.clouds.len() as u64, "hiding uploaded something")?;
         let drawn = layer.pixels.iter().enumerate().find(|(_, pixel)| pixel.a != 0.0);
         let count = layer.pixels.iter().filter(|pixel| pixel.a != 0.0).count();
         ensure(drawn.is_none(), &format!("a hidden cloud was drawn: {drawn:?} {count} of {}", layer.pixels.len()))

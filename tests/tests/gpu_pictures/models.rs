@@ -91,7 +91,8 @@ fn clouds_alone(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
 fn around_the_eye(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
     level_north(|frame| {
         let from_eye = Vec3::new(0.3, -0.35, 0.1);
-        let aircraft = ModelInView { mesh: Meshes::built_in(), from_eye, turn: Quat::IDENTITY, scale: 1.0 };
+        let aircraft =
+            ModelInView { mesh: Meshes::built_in(), from_eye, turn: Quat::IDENTITY, scale: 1.0, sunlit: 1.0 };
         let cockpit = Frame { models: vec![aircraft], ..frame.clone() };
         let (outside, inside) = (renderer.linear_picture(gpu, frame)?, renderer.linear_picture(gpu, &cockpit)?);
         ensure(outside != inside, "nothing of the aircraft shows")?;
@@ -106,7 +107,8 @@ fn as_by_the_cpu(gpu: &Gpu, renderer: &mut GpuRenderer) -> Outcome {
         for (distance_m, scale) in [(14.0, 1.0), (1750.0, 60.0)] {
             let turn = Quat::from_euler(EulerRot::YXZ, 0.7, 0.3, 0.2);
             let (mesh, from_eye) = (Meshes::built_in(), Vec3::new(0.0, -0.5, -distance_m));
-            let frame = Frame { models: vec![ModelInView { mesh, from_eye, turn, scale }], ..frame.clone() };
+            let frame =
+                Frame { models: vec![ModelInView { mesh, from_eye, turn, scale, sunlit: 0.6 }], ..frame.clone() };
             let (want, got) = (plain::linear_picture(&frame), renderer.linear_picture(gpu, &frame)?);
             let off = |(want, got): (&Rgb, &Rgb)| {
                 let off = want.to_array().into_iter().zip(got.to_array()).map(|(a, b)| (a - b).abs() - BACKGROUND * a);

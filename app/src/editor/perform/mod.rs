@@ -101,7 +101,7 @@ impl Editor {
 
     /// Edits as one undo point; what they made is selected.
     pub(in crate::editor) fn edit_and_select(&mut self, command: Command, edits: Vec<Edit>, selection: Selection) {
-        self.edit_as(command.row().label(), edits, selection);
+        self.edit_as(&command.row().full_label(), edits, selection);
     }
 
     /// The same under a name that says more than the command's. Whether it was done.
@@ -135,7 +135,7 @@ impl Editor {
             }
             Command::CopyLevels => selection.model(scene).is_some(),
             Command::RenderFlight => self.can_film(),
-            Command::ThinOut => !scene.clouds.is_empty(),
+            Command::FitLight | Command::ThinOut => !scene.clouds.is_empty(),
             Command::PasteLevels => selection.model(scene).is_some() && self.copied_levels.is_some(),
             Command::DuplicateOwn | Command::MakeOwn => clouds > 0,
             Command::MirrorX | Command::MirrorY | Command::MirrorZ => boxes > 0 || clouds > 0,
@@ -263,6 +263,7 @@ impl Editor {
             Command::AddPreset => self.dialogs.open(Dialog::Preset),
             Command::PlaceModel => self.place_model(),
             Command::PlaceMany => self.ask_place_many(),
+            Command::FitLight => self.ask_fit_light(),
             Command::ThinOut => self.ask_thinning(),
             Command::AddBox => self.add_box(),
             Command::AddCamera => self.add_camera(),

@@ -65,8 +65,7 @@ struct Made {
 /// By which rules the films of that painting are drawn.
 fn rules(painting: &Painting, crossfade: bool) -> Rules {
     let rules = painting.rules();
-    let sorting = if crossfade && painting.method.is_none() { Sorting::Crossfade } else { rules.sorting };
-    Rules { sorting, ..rules }
+    if crossfade && painting.method.is_none() { rules.sorted(Sorting::Crossfade) } else { rules }
 }
 
 fn eye<'a>(scene: &'a Scene, eye: Thing, seconds: f64, rules: Rules) -> Option<Eye<'a>> {
@@ -82,7 +81,7 @@ fn carry_out(request: Request, watch: &Watch) -> Result<Made, NoFlight> {
     let rules = rules(&painting, crossfade);
     check_memory(film.size, rules.pixels_a_pixel(), if film.in_layers { IN_LAYERS } else { 1 })
         .map_err(NoPicture::from)?;
-    if film.in_layers && !matches!(rules.rasterizer, Rasterizer::Fast { .. }) {
+    if film.in_layers && !matches!(rules.rasterizer, Rasterizer::Fast(_)) {
         return Err(NoPicture::NoLayers.into());
     }
     if is_video(&film.output) {

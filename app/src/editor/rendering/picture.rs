@@ -93,7 +93,7 @@ fn carry_out(request: Request, watch: &Watch) -> Result<Rendered, Failed> {
     check_unused(&scene, file.as_deref(), &to)?;
     let rules = painting.rules();
     check_memory(size, rules.pixels_a_pixel(), if in_layers { IN_LAYERS } else { 1 })?;
-    if in_layers && !matches!(rules.rasterizer, Rasterizer::Fast { .. }) {
+    if in_layers && !matches!(rules.rasterizer, Rasterizer::Fast(_)) {
         return Err(NoPicture::NoLayers.into());
     }
     // What the window shows may still be on the way to this scene.

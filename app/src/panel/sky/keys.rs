@@ -29,7 +29,7 @@ pub(super) fn added(table: &DailyTable<Rgba>, hour: f64) -> Option<Held> {
     if let Some(index) = table.keys.iter().position(|key| are_one(key.hour, hour)) {
         return Some((table.clone(), index));
     }
-    Some(put(table.keys.clone(), DailyKey { hour, value: table.at(hour, Rgba::mix) }))
+    Some(put(table.keys.clone(), DailyKey { hour, sun_deg: None, value: table.at(hour, Rgba::mix) }))
 }
 
 /// Without a key. The last one stays.
@@ -41,6 +41,30 @@ pub(super) fn removed(table: &DailyTable<Rgba>, index: usize) -> Option<Held> {
     keys.remove(index);
     let held = index.min(keys.len() - 1);
     Some((DailyTable { keys }, held))
+}
+
+/// `changed`, which came of what is `shown` of the `filed` table on a day, as the file is to have it: keys by the sun that no
+/// hand has moved say the hour that they said, and those that the sun does not reach on that day stay.
+pub(super) fn as_filed(
+    filed: &DailyTable<Rgba>,
+    mut changed: DailyTable<Rgba>,
+    shown: impl Fn(&DailyTable<Rgba>) -> DailyTable<Rgba>,
+) -> DailyTable<Rgba> {
+    let all_shown = shown(filed).keys;
+    let is = |a: &DailyKey<Rgba>, b: &DailyKey<Rgba>| a.hour == b.hour && a.sun_deg == b.sun_deg;
+    for key in filed.keys.iter().filter(|key| key.sun_deg.is_some()) {
+        let on_day = shown(&DailyTable { keys: vec![*key] }).keys[0];
+        if !all_shown.iter().any(|other| is(other, &on_day)) {
+            changed.keys.push(*key);
+            continue;
+        }
+        let is_free = changed.keys.iter().all(|other| is(other, &on_day) || !are_one(other.hour, key.hour));
+        if let Some(same) = changed.keys.iter_mut().find(|other| is_free && is(other, &on_day)) {
+            same.hour = key.hour;
+        }
+    }
+    changed.keys.sort_by(|a, b| a.hour.total_cmp(&b.hour));
+    changed
 }
 
 fn put(mut keys: Vec<DailyKey<Rgba>>, key: DailyKey<Rgba>) -> Held {
@@ -105,5 +129,31 @@ mod tests {
         let (fewer, held) = removed(&start, 1).expect("two");
         assert_eq!((hours(&(fewer.clone(), held)).0, held), (vec![0.0], 0));
         assert!(removed(&fewer, 0).is_none() && removed(&start, 9).is_none());
+    }
+
+    /// On a day on which the sun comes an hour later and does not get to −16°.
+    #[test]
+    fn what_goes_by_the_sun_and_was_not_moved_stays_as_it_was() {
+        let by_sun =
+            |hour: f64, sun_deg| DailyKey { hour, sun_deg: Some(sun_deg), value: Rgba::new(0.0, 0.0, 0.0, 1.0) };
+        let filed =
+            DailyTable { keys: vec![by_sun(2.0, -16.0), by_sun(6.0, 0.0), by_sun(8.0, 20.0), table(&[12.0]).keys[0]] };
+        let shown = |table: &DailyTable<Rgba>| {
+            let mut keys: Vec<_> = table.keys.iter().copied().filter(|key| key.sun_deg != Some(-16.0)).collect();
+            keys.iter_mut().filter(|key| key.sun_deg.is_some()).for_each(|key| key.hour += 1.0);
+            if keys.is_empty() { table.clone() } else { DailyTable { keys } }
+        };
+        let on_day = shown(&filed);
+        assert_eq!(as_filed(&filed, on_day.clone(), shown), filed);
+        let (more, _) = added(&on_day, 10.0).expect("it is free");
+        let hours = |table: DailyTable<Rgba>| {
+            as_filed(&filed, table, shown).keys.iter().map(|key| key.hour).collect::<Vec<_>>()
+        };
+        assert_eq!(hours(more), [2.0, 6.0, 8.0, 10.0, 12.0]);
+        let (less, _) = removed(&on_day, 0).expect("others stay");
+        assert_eq!(hours(less), [2.0, 8.0, 12.0]);
+        // Moved to where another one's hour stands in the file: the two do not fall together.
+        let (moved, _) = moved(&on_day, 0, 8.0).expect("it is free");
+        assert_eq!(hours(moved), [2.0, 8.0, 9.0, 12.0]);
     }
 }

@@ -16,6 +16,7 @@ use cloudwright_core::document::Edit;
 use cloudwright_core::math::clock;
 use cloudwright_core::property::{Number, Owner, TIME_OF_DAY_H};
 use cloudwright_core::scene::{DailyKey, DailyTable, Sky, Sun};
+use cloudwright_core::weather::on_day;
 use egui::{ScrollArea, Slider, SliderClamping, Ui};
 use std::cell::Cell;
 use strip::Strip;
@@ -119,19 +120,23 @@ fn time_slider(ui: &mut Ui, hour: &mut f64) -> bool {
 
 /// The two tables over the day.
 fn light(ui: &mut Ui, reading: &Reading<'_>, path: &SunPath, actions: &mut Vec<Action>) {
-    let sky = &reading.session.scene().sky;
-    let hour = reading.time_h();
-    let directional = with_alpha(&sky.directional);
+    let scene = reading.session.scene();
+    let (sky, hour) = (&scene.sky, reading.time_h());
+    // Keys by the sun stand where they do on this day.
+    let shown = |filed: &DailyTable<Rgba>| on_day(filed, scene.sun, &scene.site);
+    let as_filed = |filed: &DailyTable<Rgba>, changed| keys::as_filed(filed, changed, shown);
+    let filed = with_alpha(&sky.directional);
+    let (ambient, directional) = (shown(&sky.ambient), shown(&filed));
     let ambient = Strip {
         name: "Ambient",
         doc: "The sky's light on the clouds; its opacity scales that of all sprites.",
         has_alpha: true,
-        table: &sky.ambient,
+        table: &ambient,
         hour,
         path,
     };
     if let Some((ambient, live)) = ambient.show(ui) {
-        let sky = Sky { ambient, ..sky.clone() };
+        let sky = Sky { ambient: as_filed(&sky.ambient, ambient), ..sky.clone() };
         actions.push(Action::change("Ambient light", Edit::Sky(sky), live));
     }
     let directional = Strip {
@@ -143,19 +148,25 @@ fn light(ui: &mut Ui, reading: &Reading<'_>, path: &SunPath, actions: &mut Vec<A
         path,
     };
     if let Some((table, live)) = directional.show(ui) {
-        let sky = Sky { directional: without_alpha(&table), ..sky.clone() };
+        let sky = Sky { directional: without_alpha(&as_filed(&filed, table)), ..sky.clone() };
         actions.push(Action::change("Directional light", Edit::Sky(sky), live));
     }
 }
 
 fn with_alpha(table: &DailyTable<Rgb>) -> DailyTable<Rgba> {
     let keys = table.keys.iter();
-    DailyTable { keys: keys.map(|key| DailyKey { hour: key.hour, value: Rgba { rgb: key.value, a: 1.0 } }).collect() }
+    DailyTable {
+        keys: keys
+            .map(|key| DailyKey { hour: key.hour, sun_deg: key.sun_deg, value: Rgba { rgb: key.value, a: 1.0 } })
+            .collect(),
+    }
 }
 
 fn without_alpha(table: &DailyTable<Rgba>) -> DailyTable<Rgb> {
     let keys = table.keys.iter();
-    DailyTable { keys: keys.map(|key| DailyKey { hour: key.hour, value: key.value.rgb }).collect() }
+    DailyTable {
+        keys: keys.map(|key| DailyKey { hour: key.hour, sun_deg: key.sun_deg, value: key.value.rgb }).collect(),
+    }
 }
 
 fn sun(ui: &mut Ui, reading: &Reading<'_>, actions: &mut Vec<Action>) {

@@ -58,9 +58,25 @@ impl Strip<'_> {
         let by_buttons = self.head(ui, chosen);
         let by_band = self.band(ui, chosen, chosen_id, &mut live);
         let by_fields = self.fields(ui, chosen, &mut live);
-        let (table, held) = by_buttons.or(by_band).or(by_fields)?;
+        let (mut table, held) = by_buttons.or(by_band).or(by_fields)?;
+        self.follow_hours(&mut table);
         ui.data_mut(|data| data.insert_temp(chosen_id, held));
         (table != *self.table).then_some((table, live))
+    }
+
+    /// Keys by the sun that were moved to other hours go by where it stands then.
+    fn follow_hours(&self, table: &mut DailyTable<Rgba>) {
+        for key in &mut table.keys {
+            let stays = self.table.keys.iter().any(|before| before.hour == key.hour && before.sun_deg == key.sun_deg);
+            if !stays && key.sun_deg.is_some() {
+                key.sun_deg = Some(self.rounded_elevation_deg(key.hour));
+            }
+        }
+    }
+
+    /// To a tenth.
+    fn rounded_elevation_deg(&self, hour: f64) -> f64 {
+        (self.path.elevation_deg(hour) * 10.0).round() / 10.0
     }
 
     /// The key that was passed last.
@@ -157,24 +173,41 @@ impl Strip<'_> {
         let name = |what: &str| format!("{} key {what}", self.name);
         ui.horizontal(|ui| {
             hour_field(ui, &name("hour"), &mut key.hour);
+            self.by_sun(ui, &name("by the sun"), &mut key);
             color_field(ui, &name("colour"), &mut key.value.rgb);
             ui.weak("×");
             brightness_field(ui, &name("brightness"), &mut key.value.rgb);
-            if self.has_alpha {
+        });
+        if self.has_alpha {
+            ui.horizontal(|ui| {
                 ui.weak("opacity");
                 let mut opacity = f64::from(key.value.a);
                 if number_field(ui, &name("opacity"), &ALPHA, &mut opacity, false) {
                     key.value.a = opacity as f32;
                 }
-            }
-        });
+            });
+        }
         if key == before {
             return None;
         }
         *live = ui.input(|input| input.pointer.any_down());
         let mut table = self.table.clone();
-        table.keys[chosen].value = key.value;
+        (table.keys[chosen].value, table.keys[chosen].sun_deg) = (key.value, key.sun_deg);
         if key.hour == before.hour { Some((table, chosen)) } else { keys::moved(&table, chosen, key.hour) }
+    }
+
+    /// Whether the key goes by the sun's elevation.
+    fn by_sun(&self, ui: &mut Ui, name: &str, key: &mut DailyKey<Rgba>) {
+        let mut goes = key.sun_deg.is_some();
+        let response = ui.toggle_value(&mut goes, icon::SUN);
+        name_it(ui, &response, name);
+        if response.changed() {
+            key.sun_deg = goes.then(|| self.rounded_elevation_deg(key.hour));
+        }
+        response.on_hover_text(match key.sun_deg {
+            Some(degrees) => format!("Holds where the sun stands at {degrees:.1}°, at whatever hour that is on another day or at another place."),
+            None => "Has the key go by the sun's elevation in place of the hour, so that it holds on other days and at other places too.".into(),
+        });
     }
 
     fn paint_band(&self, ui: &Ui, band: Rect) {

@@ -35,6 +35,12 @@ impl SunPath {
         })
     }
 
+    /// Degrees above the horizon, at a local hour.
+    pub(super) fn elevation_deg(&self, hour: f64) -> f64 {
+        let height = sun_direction(self.sun, &self.place, hour).y;
+        f64::from(height).clamp(-1.0, 1.0).asin().to_degrees()
+    }
+
     fn new(sun: Sun, place: &Site) -> Self {
         let height = |hour: f64| sun_direction(sun, place, hour).y;
         let hours: Vec<f64> = (0..=24 * AN_HOUR).map(|i| i as f64 / AN_HOUR as f64).collect();

@@ -9,12 +9,10 @@ use crate::exchange::Leaving;
 use crate::formats::xml::{self, Element, Node, Style};
 use crate::sky::Dome;
 use crate::weather::SceneNow;
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 use std::fmt::Display;
 
 const STYLE: Style = Style { byte_order_mark: false, line_end: "\n", indent: "  ", closes: false, declares: false };
-/// Directions of the sky that are averaged.
-const LOOKS: u32 = 512;
 /// What can be given on Mitsuba's command line instead (-D spp=256): the picture's size, samples a pixel, and how much light
 /// goes on nearly as it came. Of droplets that is 0.85, which takes many times the samples for nearly the same picture.
 const DEFAULTS: [(&str, &str); 4] = [("width", "640"), ("height", "360"), ("spp", "64"), ("g", "0.4")];
@@ -102,14 +100,7 @@ fn cloud(volume: &Volume, origin: DVec3) -> Element {
 fn mean_sky(now: &SceneNow<'_>) -> Rgb {
     let albedo = now.ground.as_ref().map_or(Rgb::grey(0.1), |ground| ground.dark.mix(ground.bright, 0.5));
     let dome = Dome::new(now.light.sun_direction, now.turbidity, albedo, now.sky_gain, now.light.directional_max);
-    let dome = Dome { sun_disc: Rgb::BLACK, ..dome };
-    // Even over the half sphere, on a spiral of the golden angle.
-    let look = |i: u32| {
-        let (up, turn) = ((f64::from(i) + 0.5) / f64::from(LOOKS), f64::from(i) * 2.399_963_229_728_653);
-        let level = (1.0 - up * up).sqrt();
-        dome.radiance(Vec3::new((libm::cos(turn) * level) as f32, up as f32, (libm::sin(turn) * level) as f32))
-    };
-    (0..LOOKS).map(look).fold(Rgb::BLACK, |sum, color| sum + color) * (1.0 / LOOKS as f32)
+    dome.mean_above_horizon()
 }
 
 fn plugin(kind: &str, name: &str, inner: impl IntoIterator<Item = Element>) -> Element {

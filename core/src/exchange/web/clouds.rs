@@ -4,7 +4,7 @@
 use super::super::Leaving;
 use super::block::Block;
 use super::moving;
-use crate::baked::WORDS;
+use crate::baked::{Ball, WORDS};
 use crate::derived::Derived;
 use crate::scene::ModelId;
 use crate::sprites::{Group, PlacedCloud, SoftLight, Sprite};
@@ -25,6 +25,9 @@ pub(super) struct Listed {
     /// Of its colour levels; clouds of one model share them.
     first_level_key: usize,
     level_keys: usize,
+    /// The balls that stand for it where it shades another: the first, and how many.
+    few: usize,
+    few_balls: usize,
 }
 
 /// All of them.
@@ -37,6 +40,9 @@ pub(super) struct Clouds {
     stirs: Vec<[u32; 4]>,
     /// What is baked of each sprite, of a model once.
     baked: Vec<[u32; 16]>,
+    /// Each sprite's optical depth, and balls: centre, half across and upwards, depth.
+    depths: Vec<[f32; 1]>,
+    balls: Vec<[f32; 6]>,
     /// Of which words that is, and where they begin.
     known_baked: Vec<(Arc<[u32]>, usize)>,
     keys: Vec<[f32; moving::CLOUD_NUMBERS]>,
@@ -59,6 +65,10 @@ impl Clouds {
                 .entry(cloud.placed.cloud.model)
                 .or_insert_with(|| all.add_levels(cloud.placed, derived, times_s));
             let keys = moving::cloud(cloud.placed, derived, &moving::times_s(leaving, Some(cloud.placed.id)));
+            let casts = cloud.placed.casts();
+            all.depths.extend(casts.depths.iter().map(|depth| [*depth]));
+            let few = all.balls.len();
+            all.balls.extend(casts.few.iter().map(ball_numbers));
             all.listed.push(Listed {
                 origin: cloud.placed.origin.to_array(),
                 first_sprite,
@@ -67,6 +77,8 @@ impl Clouds {
                 keys: keys.len(),
                 first_level_key,
                 level_keys,
+                few,
+                few_balls: casts.few.len(),
             });
             all.keys.extend(keys);
             let first_baked = all.add_baked(cloud);
@@ -114,6 +126,8 @@ impl Clouds {
         block.add("clouds", self.clouds.as_flattened());
         block.add("stirs", self.stirs.as_flattened());
         block.add("baked", self.baked.as_flattened());
+        block.add("depths", self.depths.as_flattened());
+        block.add("balls", self.balls.as_flattened());
         block.add("cloud_keys", self.keys.as_flattened());
         block.add("air_keys", self.air.as_flattened());
         block.add("level_keys", self.levels.as_flattened());
@@ -128,13 +142,18 @@ fn sprite_words(sprite: &Sprite, first_group: usize) -> [u32; 8] {
     [a, b, c, d, e, f, g, group << 4 | u32::from(sprite.tile & 15)]
 }
 
+fn ball_numbers(ball: &Ball) -> [f32; 6] {
+    let ([x, y, z], half) = (ball.center.to_array(), ball.half());
+    [x, y, z, half.x, half.y, ball.depth]
+}
+
 fn group_numbers(group: &Group) -> [f32; 8] {
     let ([x, y, z], [c_min, c_med, c_max]) = (group.center.to_array(), group.c);
     [x, y, z, c_min, c_med, c_max, 0.0, 0.0]
 }
 
 /// Centre, 1 / radius; bottom, top, the highest level's height, radius; the other heights; the levels' colours; where what is
-/// baked begins, from its sprites, self-shadow, halo, nothing; sine and cosine of its heading, nothing.
+/// baked begins, from its sprites, self-shadow, halo, reach; sine and cosine of its heading, largest radius of a sprite, nothing.
 fn cloud_numbers(cloud: &CloudNow<'_>, baked_from_sprites: f32) -> [f32; 40] {
     let PlacedCloud { center, radius, bottom, top, .. } = *cloud.placed;
     let levels = cloud.color_levels();
@@ -147,6 +166,7 @@ fn cloud_numbers(cloud: &CloudNow<'_>, baked_from_sprites: f32) -> [f32; 40] {
     for (slot, level) in numbers[12..32].chunks_mut(4).zip(levels) {
         slot.copy_from_slice(&level.color.to_array());
     }
+    (numbers[35], numbers[38]) = (cloud.placed.reach, cloud.placed.largest);
     if cloud.baked.is_some() {
         let SoftLight { self_shadow, halo } = cloud.placed.soft_light;
         numbers[32..35].copy_from_slice(&[baked_from_sprites, self_shadow, halo]);

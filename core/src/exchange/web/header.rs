@@ -9,6 +9,7 @@ use crate::baked::DIRECTIONS;
 use crate::camera::{NEAR_M, View};
 use crate::scene::Camera;
 use crate::sprites::{MIP_LEVELS, TILE_SIZE};
+use crate::weather::shadows;
 use crate::{facing, raster, shading, sky, tone, weather};
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -151,6 +152,10 @@ fn constants() -> BTreeMap<&'static str, f64> {
         ("FORWARD", shading::FORWARD),
         ("HALO", shading::HALO),
         ("BAKED_PARTS", DIRECTIONS.parts() as f32),
+        ("SHADOW_TEXELS", shadows::MOST_TEXELS as f32),
+        ("SUN_RADIUS", shadows::SUN_RADIUS),
+        ("UNDER_A_CLOUD_SCATTERED", shadows::UNDER_A_CLOUD[0]),
+        ("UNDER_A_CLOUD_STRAIGHT", shadows::UNDER_A_CLOUD[1]),
     ];
     singles.into_iter().map(|(name, value)| (name, f64::from(value))).collect()
 }

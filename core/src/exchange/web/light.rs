@@ -7,7 +7,7 @@ use crate::weather::{Moment, SceneNow, WeatherRules};
 use glam::DVec3;
 
 /// How many numbers each row has of what, in order.
-pub(super) const FIELDS: [(&str, usize); 13] = [
+pub(super) const FIELDS: [(&str, usize); 15] = [
     ("hour", 1),
     ("sun_direction", 3),
     ("ambient", 4),
@@ -21,6 +21,8 @@ pub(super) const FIELDS: [(&str, usize); 13] = [
     ("inside_density", 1),
     ("ground_dark", 3),
     ("ground_bright", 3),
+    ("ground_without_sun", 3),
+    ("shadow_share", 1),
 ];
 const NUMBERS: usize = {
     let (mut sum, mut i) = (0, 0);
@@ -99,6 +101,8 @@ fn row(leaving: &Leaving<'_>, moment: Moment) -> Row {
     row.extend([behind.haze_length_m, now.exposure, now.inside_density]);
     row.extend(behind.ground.as_ref().map_or([0.0; 3], |ground| ground.dark.to_array()));
     row.extend(behind.ground.as_ref().map_or([0.0; 3], |ground| ground.bright.to_array()));
+    row.extend(behind.ground.as_ref().map_or([1.0; 3], |ground| ground.without_sun.to_array()));
+    row.push(now.shadows.map_or(0.0, |shadows| shadows.share));
     let mut whole = [0.0; NUMBERS];
     whole.iter_mut().zip(row).for_each(|(slot, number)| *slot = number);
     whole

@@ -23,11 +23,14 @@ use header::{Header, Times};
 const PAGE: &str = include_str!("page/page.html");
 
 /// What goes into the page, by the mark that it replaces. Scripts stand behind one another as one.
-const PARTS: [(&str, &str); 8] = [
+const PARTS: [(&str, &str); 11] = [
     ("/*STYLE*/", include_str!("page/style.css")),
     ("/*FRAME*/", include_str!("page/frame.glsl")),
     ("/*COVER*/", include_str!("page/cover.vert.glsl")),
     ("/*BACKGROUND*/", include_str!("page/background.frag.glsl")),
+    ("/*CLOUDS*/", include_str!("page/clouds.glsl")),
+    ("/*SHADOWS_VERTEX*/", include_str!("page/shadows.vert.glsl")),
+    ("/*SHADOWS_FRAGMENT*/", include_str!("page/shadows.frag.glsl")),
     ("/*SPRITES_VERTEX*/", include_str!("page/sprites.vert.glsl")),
     ("/*SPRITES_FRAGMENT*/", include_str!("page/sprites.frag.glsl")),
     ("/*TONE*/", include_str!("page/tone.frag.glsl")),
@@ -36,6 +39,7 @@ const PARTS: [(&str, &str); 8] = [
         concat!(
             include_str!("page/scene.js"),
             include_str!("page/facing.js"),
+            include_str!("page/shadows.js"),
             include_str!("page/sprites.js"),
             include_str!("page/through.js"),
             include_str!("page/veil.js"),

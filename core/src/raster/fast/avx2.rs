@@ -6,7 +6,9 @@
 
 use super::super::bins::{TILE, TileRect};
 use super::super::{Glow, ScreenSprite};
-use super::tile::{LANES, Spans, Tile, bits};
+use super::fragments::{Fragments, LANES};
+use super::queue::Queue;
+use super::tile::{Spans, Tile, bits};
 use crate::camera::NEAR_M;
 use crate::sprites::{Atlas, FootprintTable, LEVEL_START, MIP_LEVELS, TABLE, TILE_SIZE};
 use bytemuck::must_cast;
@@ -71,11 +73,11 @@ impl<'a> Avx2Blender<'a> {
         (is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")).then_some(Self { atlas })
     }
 
-    /// Adds `sprite` in these lights behind what `tile` shows already. Eight pixels that all let less than `stop_below`
-    /// through are left as they are.
+    /// Adds `sprite` in these lights behind what `tile` shows already, or to the `queue`. Eight pixels that all let less than
+    /// `stop_below` through are left as they are.
     pub fn draw<const G: usize>(
         &self,
-        tile: &mut Tile<G>,
+        (tile, queue): (&mut Tile<G>, Option<&mut Queue<G>>),
         rect: TileRect,
         sprite: (&ScreenSprite, &[Glow; G]),
         stop_below: f32,
@@ -86,8 +88,8 @@ impl<'a> Avx2Blender<'a> {
         #[allow(unsafe_code)]
         unsafe {
             match green_blue {
-                None => draw::<true, G>(tile, rect, sprite, alpha_red, alpha_red, stop_below),
-                Some(green_blue) => draw::<false, G>(tile, rect, sprite, alpha_red, green_blue, stop_below),
+                None => draw::<true, G>((tile, queue), rect, sprite, [alpha_red; 2], stop_below),
+                Some(green_blue) => draw::<false, G>((tile, queue), rect, sprite, [alpha_red, green_blue], stop_below),
             }
         }
     }
@@ -107,11 +109,10 @@ fn constants<const G: usize>(sprite: &ScreenSprite, lights: &[Glow; G]) -> Const
 
 #[target_feature(enable = "avx2,fma")]
 fn draw<const GREY: bool, const G: usize>(
-    tile: &mut Tile<G>,
+    (tile, mut queue): (&mut Tile<G>, Option<&mut Queue<G>>),
     rect: TileRect,
     (sprite, lights): (&ScreenSprite, &[Glow; G]),
-    alpha_red: &FootprintTable,
-    green_blue: &FootprintTable,
+    [alpha_red, green_blue]: [&FootprintTable; 2],
     stop_below: f32,
 ) {
     let constants = constants(sprite, lights);
@@ -119,6 +120,7 @@ fn draw<const GREY: bool, const G: usize>(
     let lanes = _mm256_setr_ps(0.0, 1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0);
     let (first_x, first_y) = (rect.left as f32 + 0.5 - sprite.anchor.x, rect.top as f32 + 0.5 - sprite.anchor.y);
     let [d_dx, u_dx, v_dx] = [sprite.denominator.dx, sprite.u.dx, sprite.v.dx].map(|dx| _mm256_set1_ps(dx));
+    let nearness_of_one = _mm256_set1_ps(sprite.nearness_of_one());
     for (row, span) in Spans::new(sprite, rect).rows() {
         let y = first_y + row as f32;
         let [d_row, u_row, v_row] =
@@ -155,8 +157,15 @@ fn draw<const GREY: bool, const G: usize>(
                 let share = before_models(nearness, _mm256_mul_ps(_mm256_set1_ps(sprite.depth), inverse), sprite);
                 texel = texel.map(|channel| _mm256_mul_ps(channel, share));
             }
-            let through = blend(tile, row * (TILE / LANES) + group, &constants, texel, u, v);
+            let fragments = fragments(&constants, _mm256_mul_ps(denominator, nearness_of_one), texel, u, v);
+            let through = must_cast(match &mut queue {
+                None => tile.blend(row * (TILE / LANES) + group, &fragments),
+                Some(queue) => queue.push(tile, (row, group), fragments),
+            });
             if _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GE_OQ>(through, stop_below)) == 0 {
+                if let Some(queue) = &mut queue {
+                    queue.flush(tile, (row, group));
+                }
                 tile.close(row, group);
             }
         }
@@ -175,34 +184,29 @@ fn before_models(nearness: &[f32], depth: __m256, sprite: &ScreenSprite) -> __m2
     _mm256_max_ps(_mm256_min_ps(share, one), _mm256_setzero_ps())
 }
 
-/// Adds eight fragments of `texel` (alpha, red, green, blue) lit by the corners' lights at (u, v), and gives what still
-/// gets through.
+/// Eight fragments of `texel` (alpha, red, green, blue) lit by the corners' lights at (u, v).
 #[target_feature(enable = "avx2,fma")]
 #[inline]
-fn blend<const G: usize>(
-    tile: &mut Tile<G>,
-    group: usize,
+fn fragments<const G: usize>(
     constants: &Constants<G>,
+    nearness: __m256,
     texel: [__m256; 4],
     u: __m256,
     v: __m256,
-) -> __m256 {
+) -> Fragments<G> {
     let uv = _mm256_mul_ps(u, v);
-    let through: __m256 = must_cast(tile.through[group]);
-    let share = _mm256_mul_ps(through, at(&constants.alpha, u, v, uv));
-    for (planes, light) in tile.lights.iter_mut().zip(&constants.lights) {
-        for c in 0..3 {
+    let share = at(&constants.alpha, u, v, uv);
+    let mut lights = [[[0.0; LANES]; 3]; G];
+    for (colors, light) in lights.iter_mut().zip(&constants.lights) {
+        for (c, shown) in colors.iter_mut().enumerate() {
             let mut color = _mm256_mul_ps(texel[0], _mm256_set1_ps(light.added[c]));
             if let Some(corners) = &light.corners {
                 color = _mm256_fmadd_ps(texel[c + 1], at(&corners[c], u, v, uv), color);
             }
-            let before: __m256 = must_cast(planes[c][group]);
-            planes[c][group] = must_cast(_mm256_fmadd_ps(share, color, before));
+            *shown = must_cast(_mm256_mul_ps(share, color));
         }
     }
-    let through = _mm256_fnmadd_ps(share, texel[0], through);
-    tile.through[group] = must_cast(through);
-    through
+    Fragments { nearness: must_cast(nearness), alpha: must_cast(_mm256_mul_ps(share, texel[0])), lights }
 }
 
 /// The value at (u, v).

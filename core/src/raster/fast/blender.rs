@@ -3,7 +3,9 @@
 use super::super::bins::{TILE, TileRect};
 use super::super::models::share_before;
 use super::super::{Glow, Hit, ScreenSprite};
-use super::tile::{LANES, Spans, Tile, bits};
+use super::fragments::{Fragments, LANES};
+use super::queue::Queue;
+use super::tile::{Spans, Tile, bits};
 use crate::sprites::Atlas;
 
 /// Blends sprites of one atlas into tiles, in the way that this processor does fastest.
@@ -31,47 +33,53 @@ impl<'a> Blender<'a> {
         }
     }
 
-    /// Adds `sprite` in these lights behind what `tile` shows already. Pixels that let less than `stop_below` through may
-    /// be left as they are.
+    /// Adds `sprite` in these lights behind what `tile` shows already, or to the `queue`. Pixels
+    /// that let less than `stop_below` through may be left as they are.
     pub fn draw<const G: usize>(
         &self,
-        tile: &mut Tile<G>,
+        (tile, queue): (&mut Tile<G>, Option<&mut Queue<G>>),
         rect: TileRect,
         (sprite, lights): (&ScreenSprite, &[Glow; G]),
         stop_below: f32,
     ) {
         #[cfg(target_arch = "x86_64")]
         if let Some(avx2) = &self.avx2 {
-            return avx2.draw(tile, rect, (sprite, lights), stop_below);
+            return avx2.draw((tile, queue), rect, (sprite, lights), stop_below);
         }
-        self.draw_one_by_one(tile, rect, (sprite, lights), stop_below);
+        self.draw_one_by_one((tile, queue), rect, (sprite, lights), stop_below);
     }
 
     fn draw_one_by_one<const G: usize>(
         &self,
-        tile: &mut Tile<G>,
+        (tile, mut queue): (&mut Tile<G>, Option<&mut Queue<G>>),
         rect: TileRect,
         (sprite, lights): (&ScreenSprite, &[Glow; G]),
         stop_below: f32,
     ) {
         for (row, span) in Spans::new(sprite, rect).rows() {
             for group in bits(tile.open_groups(row, &span)) {
+                let (first_x, pixel_y) =
+                    (rect.left as f32 + (group * LANES) as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
+                let mut fragments = Fragments::NONE;
+                // Of the plane, also where the sprite does not show: what is clear must not keep others waiting.
+                fragments.nearness = std::array::from_fn(|lane| sprite.nearness(first_x + lane as f32, pixel_y));
                 for x in (group * LANES..(group + 1) * LANES).filter(|x| span.contains(x)) {
-                    let (pixel_x, pixel_y) = (rect.left as f32 + x as f32 + 0.5, rect.top as f32 + row as f32 + 0.5);
+                    let pixel_x = rect.left as f32 + x as f32 + 0.5;
                     let Some(Hit { u, v, depth }) = sprite.hit(pixel_x, pixel_y) else { continue };
                     let shown = sprite.shown_by(lights, self.atlas, (u, v), sprite.mip);
                     let Some((colors, alpha)) = shown else { continue };
                     let model = tile.models.as_ref().and_then(|models| models.at(x, row));
                     let share = model.map_or(1.0, |(near, _)| share_before(near, depth, sprite.half_depth_m));
-                    let at = row * TILE / LANES + group;
-                    let through = tile.through[at][x % LANES] * share;
-                    let planes = tile.lights.as_flattened_mut().iter_mut();
-                    for (plane, value) in planes.zip(colors.as_flattened()) {
-                        plane[at][x % LANES] += through * value;
-                    }
-                    tile.through[at][x % LANES] -= through * alpha;
+                    fragments.set(x % LANES, alpha * share, &colors.map(|color| color.map(|c| c * share)));
                 }
-                if tile.through[row * TILE / LANES + group].iter().all(|through| *through < stop_below) {
+                let through = match &mut queue {
+                    None => tile.blend(row * TILE / LANES + group, &fragments),
+                    Some(queue) => queue.push(tile, (row, group), fragments),
+                };
+                if through.iter().all(|through| *through < stop_below) {
+                    if let Some(queue) = &mut queue {
+                        queue.flush(tile, (row, group));
+                    }
                     tile.close(row, group);
                 }
             }

@@ -3,14 +3,9 @@
 use super::super::bins::{TILE, TileRect};
 use super::super::models::ModelTile;
 use super::super::{Linear, ScreenSprite};
+use super::fragments::{Fragments, LANES, Lanes, Plane};
 use crate::camera::NEAR_M;
 use crate::color::Rgb;
-
-/// Pixels that are drawn at once.
-pub const LANES: usize = 8;
-
-/// A channel of 32 × 32 pixels.
-type Plane = [[f32; LANES]; TILE * TILE / LANES];
 
 /// Colours of `G` lights and transmittance of 32 × 32 pixels, each channel a plane of its own.
 #[repr(align(64))]
@@ -83,6 +78,13 @@ impl<const G: usize> Tile<G> {
     pub fn open_groups(&self, row: usize, span: &std::ops::Range<usize>) -> u32 {
         let (first, last) = (span.start / LANES, (span.end - 1) / LANES);
         u32::from(self.open[row]) & (u32::MAX << first) & !(u32::MAX << (last + 1))
+    }
+
+    /// Adds fragments behind what the group of pixels shows already; gives what still gets through.
+    #[inline(always)]
+    pub fn blend(&mut self, group: usize, fragments: &Fragments<G>) -> Lanes {
+        fragments.blend(&mut self.lights, group, &mut self.through[group]);
+        self.through[group]
     }
 
     /// Nothing more gets through a group.

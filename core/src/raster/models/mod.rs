@@ -147,7 +147,7 @@ impl<'a> Models<'a> {
         }
         let normal = model.turn * if triangle.is_outside { normal } else { -normal };
         let point = self.frame.view.ray(at.x as f32, at.y as f32) * depth as f32;
-        lit(self.frame, (point, normal), color, |direction| self.dome.horizon(direction))
+        lit((self.frame, model.sunlit), (point, normal), color, |direction| self.dome.horizon(direction))
     }
 }
 
@@ -158,9 +158,14 @@ fn corner(model: &ModelInView, vertex: &ModelVertex) -> Vec3 {
 
 /// The light that comes from a point, whose surface looks along `normal` (any length): the sun's, the sky's and what the
 /// ground gives back of that, behind haze of the `horizon`'s colour.
-fn lit(frame: &Frame<'_>, (point, normal): (Vec3, Vec3), color: Rgb, horizon: impl Fn(Vec3) -> Rgb) -> Rgb {
+fn lit(
+    (frame, sunlit): (&Frame<'_>, f32),
+    (point, normal): (Vec3, Vec3),
+    color: Rgb,
+    horizon: impl Fn(Vec3) -> Rgb,
+) -> Rgb {
     let (light, normal) = (&frame.now.light, normal.normalize_or(Vec3::Y));
-    let sun = light.directional_max * normal.dot(light.direction).max(0.0);
+    let sun = light.directional_max * (sunlit * normal.dot(light.direction).max(0.0));
     let sky = light.ambient_max.rgb * (GROUND_SHARE + (1.0 - GROUND_SHARE) * (0.5 + 0.5 * normal.y));
     let hazed = haze_share(point.length(), frame.background.haze_length_m);
     (color * (sun + sky)).mix(horizon(point), hazed)

@@ -54,7 +54,10 @@ impl<'a> PlacedModels<'a> {
         let is_outside = (b - a).cross(c - a).dot(ray) < 0.0;
         let normal = self.frame.models[model].turn * if is_outside { normal } else { -normal };
         let horizon = |direction| self.frame.background.dome.horizon(direction);
-        Some(((1.0 / depth) as f32, lit(self.frame, (ray * depth as f32, normal), color, horizon)))
+        Some((
+            (1.0 / depth) as f32,
+            lit((self.frame, self.frame.models[model].sunlit), (ray * depth as f32, normal), color, horizon),
+        ))
     }
 
     fn met(&self, ray: Vec3, model: usize) -> impl Iterator<Item = Met> {

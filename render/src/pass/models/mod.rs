@@ -69,7 +69,7 @@ fn pipeline(gpu: &Gpu, layouts: &[Option<&wgpu::BindGroupLayout>]) -> wgpu::Rend
                 Some(wgpu::VertexBufferLayout {
                     array_stride: size_of::<ModelInstance>() as u64,
                     step_mode: wgpu::VertexStepMode::Instance,
-                    attributes: &wgpu::vertex_attr_array![3 => Float32x4, 4 => Float32x4],
+                    attributes: &wgpu::vertex_attr_array![3 => Float32x4, 4 => Float32x4, 5 => Float32],
                 }),
             ],
         },

@@ -8,6 +8,8 @@ struct Corner {
     @location(0) from_eye: vec3f,
     @location(1) normal: vec3f,
     @location(2) color: vec3f,
+    // What the clouds' shadows leave of the directional light.
+    @location(3) @interpolate(flat) sunlit: f32,
 }
 
 @vertex
@@ -17,16 +19,17 @@ fn place_vertex(
     @location(2) color: vec3f,
     @location(3) origin_and_scale: vec4f,
     @location(4) turn: vec4f,
+    @location(5) sunlit: f32,
 ) -> Corner {
     let from_eye = origin_and_scale.xyz + turned(position * origin_and_scale.w, turn);
-    return Corner(project(from_eye), from_eye, turned(normal, turn), color);
+    return Corner(project(from_eye), from_eye, turned(normal, turn), color, sunlit);
 }
 
 // Both sides of a triangle are lit: open shapes have an inside.
 @fragment
 fn draw_model(in: Corner, @builtin(front_facing) outside: bool) -> @location(0) vec4f {
     let normal = unit_or(select(-in.normal, in.normal, outside), vec3f(0.0, 1.0, 0.0));
-    let sun = frame.directional_max * max(dot(normal, frame.light_direction), 0.0);
+    let sun = frame.directional_max * (in.sunlit * max(dot(normal, frame.light_direction), 0.0));
     let sky = frame.ambient_max.rgb * mix(GROUND_SHARE, 1.0, 0.5 + 0.5 * normal.y);
     let hazed = haze_share(length(in.from_eye));
     return vec4f(mix(in.color * (sun + sky), horizon_radiance(in.from_eye), hazed), 1.0);

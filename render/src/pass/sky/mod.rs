@@ -2,6 +2,7 @@
 
 use super::{FrameBinding, begin, full_screen_pipeline};
 use crate::format::LINEAR_FORMAT;
+use crate::pass::shadows::ShadowsPass;
 use crate::{Gpu, shader};
 
 #[derive(Debug)]
@@ -10,8 +11,8 @@ pub(crate) struct SkyPass {
 }
 
 impl SkyPass {
-    pub(crate) fn new(gpu: &Gpu, frame: &FrameBinding) -> Self {
-        let layouts = [Some(&frame.layout)];
+    pub(crate) fn new(gpu: &Gpu, frame: &FrameBinding, shadows: &ShadowsPass) -> Self {
+        let layouts = [Some(&frame.layout), Some(&shadows.layout)];
         Self {
             pipeline: full_screen_pipeline(
                 gpu,
@@ -25,10 +26,17 @@ impl SkyPass {
     }
 
     /// Covers all of `target`.
-    pub(crate) fn record(&self, encoder: &mut wgpu::CommandEncoder, frame: &FrameBinding, target: &wgpu::TextureView) {
+    pub(crate) fn record(
+        &self,
+        encoder: &mut wgpu::CommandEncoder,
+        frame: &FrameBinding,
+        shadows: &ShadowsPass,
+        target: &wgpu::TextureView,
+    ) {
         let mut pass = begin(encoder, "sky", target, wgpu::LoadOp::Clear(wgpu::Color::BLACK), None, None);
         pass.set_pipeline(&self.pipeline);
         pass.set_bind_group(0, &frame.group, &[]);
+        pass.set_bind_group(1, &shadows.binding, &[]);
         pass.draw(0..3, 0..1);
     }
 }

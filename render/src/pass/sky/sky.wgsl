@@ -1,5 +1,12 @@
 // What stands behind the clouds: sky, sun, moon and stars, ground and the haze between. The twin of core/src/sky/.
 
+@group(1) @binding(0) var shadow_map: texture_2d<f32>;
+@group(1) @binding(1) var shadow_sampler: sampler;
+
+// core/src/weather/shadows/mod.rs.
+const UNDER_A_CLOUD = vec2f(0.45, 0.55);
+const MOST_TEXELS = 512.0;
+
 @fragment
 fn draw_background(@builtin(position) position: vec4f) -> @location(0) vec4f {
     let direction = normalize(ray_through(position.xy));
@@ -23,7 +30,20 @@ fn ground_radiance(point: vec3f, pixel_m: f32) -> vec3f {
         + octave_noise(place, 1u, cells_m.y, pixel_m, 0.35)
         + octave_noise(place, 2u, cells_m.z, pixel_m, 0.245)
         + octave_noise(place, 3u, cells_m.w, pixel_m, 0.1715);
-    return mix(frame.ground_dark, frame.ground_bright, smoothstep(-0.22, 0.22, sum));
+    let lit = mix(frame.ground_dark, frame.ground_bright, smoothstep(-0.22, 0.22, sum));
+    if frame.shadow_share <= 0.0 {
+        return lit;
+    }
+    return lit * mix(frame.ground_without_sun, vec3f(1.0), reaches_ground(point));
+}
+
+// Of the directional light, what the clouds' shadows leave at an eye-relative point of the ground.
+fn reaches_ground(point: vec3f) -> f32 {
+    let at = vec2f(dot(point, frame.shadow_level), dot(point, frame.shadow_upwards));
+    let place = vec2f(frame.shadow_eye_x, frame.shadow_eye_y) + at / frame.shadow_texel_m;
+    let left = textureSampleLevel(shadow_map, shadow_sampler, place / MOST_TEXELS, 0.0).r;
+    let left_4 = (left * left) * (left * left);
+    return 1.0 - frame.shadow_share * (1.0 - (UNDER_A_CLOUD.x * left + UNDER_A_CLOUD.y * left_4 * left_4));
 }
 
 // One lattice's share, around 0. Where its cells are smaller than a pixel there is nothing to hash.

@@ -1,11 +1,11 @@
 // The scene's sprites, groups and clouds in data textures: texel after texel of four words, in rows of
-// 2^DATA_ROW_BITS. The Rust side is cloud_data.rs; a test compares the sizes. OpenGL ES 3.0 has no storage buffers.
+// 2^DATA_ROW_BITS. The Rust side is texels.rs; a test compares the sizes. OpenGL ES 3.0 has no storage buffers.
 
 const DATA_ROW_BITS = 11u;
 const SPRITE_TEXELS = 2u;
 const GROUP_TEXELS = 2u;
 const CLOUD_TEXELS = 8u;
-const MOMENT_TEXELS = 5u;
+const MOMENT_TEXELS = 6u;
 const BAKED_TEXELS = 4u;
 const STIR_TEXELS = 1u;
 const POSE_TEXELS = 2u;
@@ -23,6 +23,8 @@ const FACES_EYE = 0xffffffffu;
 @group(1) @binding(7) var stir_data: texture_2d<u32>;
 // The light that is left at each sprite from each of a set of directions; of a scene that is lit by groups alone there is none.
 @group(1) @binding(8) var baked_data: texture_2d<u32>;
+// What other clouds take of the light, on each cloud's grid.
+@group(1) @binding(9) var shade_data: texture_2d<u32>;
 
 struct Sprite {
     position: vec3f,
@@ -72,6 +74,12 @@ struct Moment {
     // Sine and cosine of the turn from the model's space.
     heading: vec2f,
     halo: f32,
+    // The grid of what other clouds take of the light: its first node, which that is of all, nodes a metre, and nodes along
+    // each axis; none in the light.
+    shade_low: vec2f,
+    shade_nodes_a_metre: vec2f,
+    shade_first: u32,
+    shade_size: vec2u,
 }
 
 // core/src/sprites/stir.rs.
@@ -136,6 +144,8 @@ fn load_moment(cloud: u32) -> Moment {
     let third = load(moment_data, cloud * MOMENT_TEXELS + 2u);
     let around = load_bits(moment_data, cloud * MOMENT_TEXELS + 3u);
     let fifth = load(moment_data, cloud * MOMENT_TEXELS + 4u);
+    let sixth = load(moment_data, cloud * MOMENT_TEXELS + 5u);
+    let shade = bitcast<u32>(fifth.w);
     return Moment(
         first.xyz,
         first.w,
@@ -150,6 +160,10 @@ fn load_moment(cloud: u32) -> Moment {
         bitcast<vec3f>(around.yzw),
         fifth.xy,
         fifth.z,
+        sixth.xy,
+        sixth.zw,
+        shade >> 10u,
+        vec2u(shade, shade >> 5u) & vec2u(31u),
     );
 }
 
@@ -166,6 +180,29 @@ fn load_left(sprite: u32, direction: u32) -> vec4f {
     let words = load_bits(baked_data, sprite * BAKED_TEXELS + (direction >> 2u));
     let word = words[direction & 3u];
     return vec4f(f32(word & 255u) / 255.0, unpack4x8snorm(word).yzw);
+}
+
+// What other clouds leave of the light at a point that counts from the cloud's origin (core/src/weather/shade.rs).
+fn shade_at(moment: Moment, point: vec3f) -> f32 {
+    let size = moment.shade_size;
+    if size.x == 0u {
+        return 1.0;
+    }
+    let last = vec2f(size - 1u);
+    let along = vec2f(dot(point, frame.shadow_level), dot(point, frame.shadow_upwards));
+    let place = clamp((along - moment.shade_low) * moment.shade_nodes_a_metre, vec2f(0.0), last);
+    let first = min(floor(place), last - 1.0);
+    let share = place - first;
+    let at = moment.shade_first + u32(first.y) * size.x + u32(first.x);
+    let above = mix(load(shade_data, at).xyz, load(shade_data, at + 1u).xyz, share.x);
+    let below = mix(load(shade_data, at + size.x).xyz, load(shade_data, at + size.x + 1u).xyz, share.x);
+    let met = mix(above, below, share.y);
+    if met.x <= 0.0 {
+        return 1.0;
+    }
+    // As much of it as lies from the point towards the light.
+    let before = clamp(0.5 + 0.5 * (met.y - dot(point, frame.light_direction) * met.x) / max(met.z, 1e-6), 0.0, 1.0);
+    return 1.0 - frame.shadow_share * (1.0 - exp(-0.1 * met.x * before));
 }
 
 fn load_pose(index: u32) -> Pose {

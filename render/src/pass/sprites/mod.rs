@@ -16,7 +16,7 @@ use crate::{Gpu, shader};
 pub(crate) struct SpritesPass {
     pipeline: wgpu::RenderPipeline,
     among_models: wgpu::RenderPipeline,
-    layout: wgpu::BindGroupLayout,
+    pub(crate) layout: wgpu::BindGroupLayout,
     models_layout: wgpu::BindGroupLayout,
     sampler: wgpu::Sampler,
 }
@@ -49,6 +49,7 @@ impl SpritesPass {
                 },
                 data_entry(7),
                 data_entry(8),
+                data_entry(9),
             ],
         });
         // Clamped to the edge, which is clear at every level.
@@ -92,7 +93,7 @@ impl SpritesPass {
             .map(|(view, binding)| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) })
             .collect();
         entries.push(wgpu::BindGroupEntry { binding: 6, resource: wgpu::BindingResource::Sampler(&self.sampler) });
-        for (data, binding) in [(&clouds.stirs, 7), (&clouds.baked, 8)] {
+        for (data, binding) in [(&clouds.stirs, 7), (&clouds.baked, 8), (&clouds.shades, 9)] {
             entries.push(wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(&data.view) });
         }
         gpu.device().create_bind_group(&wgpu::BindGroupDescriptor {

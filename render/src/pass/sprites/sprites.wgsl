@@ -1,16 +1,12 @@
 // The sprites: each turned to the eye (the twin of core/src/facing/), its corners lit (core/src/shading/), hazed, and
 // drawn as ScreenSprite::fragment does (core/src/raster/prepare.rs).
 //
-// What the sprites are is loaded from data textures (cloud_data.wgsl). A vertex is a corner; each of the four computes
+// What the sprites are is loaded from data textures (cloud_data.wgsl, sprite_now.wgsl). A vertex is a corner; each of the four computes
 // all four corners' light, because light runs bilinearly over the quad and not linearly over its two triangles.
 
 const TILE_SIZE: f32 = 128.0;
 const LAST_MIP: f32 = 4.0;
 const BRIGHTEST: f32 = 60000.0;
-// core/src/weather/air.rs.
-const CONDENSING: f32 = 0.08;
-const SWAY: f32 = 0.1;
-
 @group(1) @binding(5) var atlas: texture_2d_array<f32>;
 @group(1) @binding(6) var atlas_sampler: sampler;
 // How near the models are, as `project` has it; 0 where there is none.
@@ -52,7 +48,7 @@ fn place_corner(
     let shown = vec4f(vec3f(1.0 - hazed), pose.fade * condensed(instance.y, moment));
     let right_at_rest = at_rest(to_right, moment) / moment.scale;
     let top_at_rest = at_rest(to_top, moment) / moment.scale;
-    let through = through_cloud(instance.y, cloud, moment, pose.towards);
+    let through = through_cloud(instance.y, sprite.position, cloud, moment, pose.towards);
     let reach = 0.5 * length(vec2f(rest.width, rest.height));
     let top_left = shown * lit(rest, top_at_rest - right_at_rest, reach, cloud, moment, group, through);
     let top_right = shown * lit(rest, right_at_rest + top_at_rest, reach, cloud, moment, group, through);
@@ -145,66 +141,14 @@ fn upright_across(to_eye: vec3f) -> vec3f {
     return unit_or(world * (1.0 - pole) + camera * pole, fallback);
 }
 
-// A sprite as it is now (core/src/weather/cloud_now.rs, air.rs): at rest what is added is zero.
-fn sprite_now(rest: Sprite, index: u32, cloud: Cloud, moment: Moment) -> Sprite {
-    var now = rest;
-    let grown = rest.position + vec3f(0.0, (rest.position.y - cloud.bottom) * (moment.growth - 1.0), 0.0);
-    let turn = moment.turn;
-    now.position =
-        moment.scale * vec3f(turn.y * grown.x + turn.x * grown.z, grown.y, turn.y * grown.z - turn.x * grown.x);
-    now.width = rest.width * moment.scale;
-    now.height = rest.height * moment.scale;
-    if moment.reach_m >= 0.0 {
-        let stir = load_stir(index);
-        let height = height_within(cloud, rest.position.y);
-        let lean = (frame.air_lean + frame.air_lean_shear * (height - 0.5)) * (stir.looseness * moment.reach_m);
-        let swings = frame.air_swings + stir.phases;
-        let sway = frame.air_turbulence * stir.sway * SWAY * min(now.width, now.height);
-        now.position += lean + vec3f(sine(swings.x), sine(swings.y), sine(swings.z)) * sway;
-        let turns = stir.turn * frame.air_turned;
-        let more = vec2f(sine(turns), sine(turns + 0.25));
-        now.rotation = vec2f(
-            rest.rotation.x * more.y + rest.rotation.y * more.x,
-            rest.rotation.y * more.y - rest.rotation.x * more.x,
-        );
-    }
-    return now;
-}
-
-// How much of a sprite has condensed.
-fn condensed(index: u32, moment: Moment) -> f32 {
-    if moment.reach_m < 0.0 {
-        return 1.0;
-    }
-    let threshold = load_stir(index).threshold;
-    return smoothstep(threshold - CONDENSING, threshold + CONDENSING, frame.air_humidity);
-}
-
-// A direction, as it lies to the cloud at rest.
-fn at_rest(direction: vec3f, moment: Moment) -> vec3f {
-    let turn = moment.turn;
-    return vec3f(
-        turn.y * direction.x - turn.x * direction.z,
-        direction.y,
-        turn.x * direction.x + turn.y * direction.z,
-    );
-}
-
-// The sine of so many whole turns (core/src/weather/air.rs).
-fn sine(turns: f32) -> f32 {
-    let within = turns - floor(turns + 0.5);
-    let folded = select(within, select(-0.5, 0.5, within > 0.0) - within, abs(within) > 0.25);
-    let squared = folded * folded;
-    let high = squared * (-76.70586 + squared * (42.05869 - squared * 15.094643));
-    return folded * (6.2831855 + squared * (-41.3417 + squared * (81.60525 + high)));
-}
-
 // The sun's light that comes through the cloud to a sprite (core/src/shading/through.rs).
 struct Through {
     sun: vec4f,
     up: vec4f,
     down: vec4f,
     halo: f32,
+    // What other clouds leave of the light, e^(−τ/10).
+    shade: f32,
 }
 
 const UP = 6u;
@@ -216,16 +160,17 @@ const FROM_BELOW = 0.2;
 const FORWARD = 0.75;
 const HALO = 0.35;
 
-fn through_cloud(sprite: u32, cloud: Cloud, moment: Moment, towards_eye: vec3f) -> Through {
+fn through_cloud(sprite: u32, place: vec3f, cloud: Cloud, moment: Moment, towards_eye: vec3f) -> Through {
+    let shade = shade_at(moment, place);
     if moment.self_shadow <= 0.0 && moment.halo <= 0.0 {
-        return Through(vec4f(0.0), vec4f(0.0), vec4f(0.0), 0.0);
+        return Through(vec4f(0.0), vec4f(0.0), vec4f(0.0), 0.0, shade);
     }
     let at = cloud.baked_from_sprites + sprite;
     let sun = moment.shares.x * load_left(at, moment.around.x)
         + moment.shares.y * load_left(at, moment.around.y)
         + moment.shares.z * load_left(at, moment.around.z);
     let cosine = -dot(towards_eye, frame.light_direction);
-    return Through(sun, load_left(at, UP), load_left(at, DOWN), moment.halo * HALO * thrown(cosine));
+    return Through(sun, load_left(at, UP), load_left(at, DOWN), moment.halo * HALO * thrown(cosine), shade);
 }
 
 // How much of the light is thrown on so that it turns by an angle of that cosine.
@@ -252,7 +197,9 @@ fn lit(
     let level = level_color(cloud, height_within(cloud, point.y));
     let sun_direction = at_rest(frame.light_direction, moment);
     var ambient = level.rgb * frame.ambient_max.rgb;
-    var share = directional_share(point - group.center, group.c, sun_direction);
+    let shade_4 = (through.shade * through.shade) * (through.shade * through.shade);
+    let in_shade = (SCATTERED * through.shade + STRAIGHT * shade_4 * shade_4) / (SCATTERED + STRAIGHT);
+    var share = directional_share(point - group.center, group.c, sun_direction) * in_shade;
     if moment.self_shadow > 0.0 || moment.halo > 0.0 {
         let heading = moment.heading;
         let in_model = vec3f(
@@ -260,7 +207,7 @@ fn lit(
             offset.y,
             heading.x * offset.x + heading.y * offset.z,
         ) / reach;
-        let sun = left_at(through.sun, in_model);
+        let sun = left_at(through.sun, in_model) * through.shade;
         let sun_4 = (sun * sun) * (sun * sun);
         let let_through = group.c.z * (SCATTERED * sun + STRAIGHT * sun_4 * sun_4);
         let up = sqrt(left_at(through.up, in_model));
@@ -269,9 +216,7 @@ fn lit(
         share = share * (1.0 - moment.self_shadow) + moment.self_shadow * let_through + through.halo * sun_4;
         ambient *= 1.0 - moment.self_shadow * SKY_KEPT_OUT * (1.0 - open);
     }
-    let radii = distance(point, cloud.center) * cloud.inverse_radius;
-    let formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
-    let alpha = clamp(level.a * frame.ambient_max.a, 0.0, 1.0) * formed * moment.opacity;
+    let alpha = clamp(level.a * frame.ambient_max.a, 0.0, 1.0) * formed_at(point, cloud, moment);
     return vec4f(ambient + frame.directional_max * share, alpha);
 }
 
@@ -279,14 +224,6 @@ fn lit(
 fn directional_share(outward: vec3f, c: vec3f, sun_direction: vec3f) -> f32 {
     let d = clamp(dot(unit_or(outward, vec3f(0.0)), sun_direction), -1.0, 1.0);
     return c.y + d * select(c.z - c.y, c.y - c.x, d < 0.0);
-}
-
-fn height_within(cloud: Cloud, y: f32) -> f32 {
-    let extent = cloud.top - cloud.bottom;
-    if extent > 0.0 {
-        return clamp((y - cloud.bottom) / extent, 0.0, 1.0);
-    }
-    return 0.0;
 }
 
 // The first level above `height` and the one below it; written out so that no array is indexed at run time.

@@ -163,9 +163,9 @@ fn a_page_begins_at_the_moment() {
     assert!(told.iter().any(|note| note.contains("paths, aircraft")), "{told:?}");
 }
 
-/// What one would send by mail.
+/// What one would send by mail: servers take some 20 MB, and mail makes a third more of it.
 #[test]
 fn pages_are_small() {
     let bytes = left(&shipped("overcast"), "index.html", &[]).len();
-    assert!(bytes < 3_000_000, "{bytes}");
+    assert!(bytes < 5_000_000, "{bytes}");
 }

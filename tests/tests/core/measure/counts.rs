@@ -61,7 +61,7 @@ fn nothing_to_draw_costs_nothing() {
     with_frame(&scene, [64, 36], |frame| {
         let counts = Counts::of(frame);
         // Where the cloud is is sent all the same.
-        let none = Counts { bytes_uploaded: 80, bytes_of_clouds: counts.bytes_of_clouds, ..Counts::default() };
+        let none = Counts { bytes_uploaded: 96, bytes_of_clouds: counts.bytes_of_clouds, ..Counts::default() };
         assert_eq!(counts, none);
     });
     scene.clouds.clear();
@@ -85,6 +85,7 @@ fn bytes_are_the_renderers() {
         assert_eq!(counts.bytes_uploaded, order + poses + texel("MOMENT_TEXELS"));
         let sprites = cloud.sprites.len() as u64 * texel("SPRITE_TEXELS");
         let groups = cloud.groups.len() as u64 * texel("GROUP_TEXELS");
-        assert_eq!(counts.bytes_of_clouds, sprites + groups + texel("CLOUD_TEXELS"));
+        let casters = cloud.sprites.len() as u64 * size_of::<[u32; 3]>() as u64;
+        assert_eq!(counts.bytes_of_clouds, sprites + groups + texel("CLOUD_TEXELS") + casters);
     });
 }

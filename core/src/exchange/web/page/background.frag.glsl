@@ -5,6 +5,14 @@ uniform float ground_eye_height_m;
 uniform vec2 ground_eye_in_pattern_m;
 uniform vec3 ground_dark;
 uniform vec3 ground_bright;
+// The clouds' shadows: what is left of the light on the plane across it, its axes, where on it the eye is, texels, how much of
+// them is seen, and what is left of the ground's light in the deepest.
+uniform sampler2D shadow_map;
+uniform vec3 shadow_axes[2];
+uniform vec2 shadow_eye;
+uniform vec2 shadow_texel_m;
+uniform float shadow_share;
+uniform vec3 ground_without_sun;
 out vec4 light;
 
 // O'Neill's PCG-RXS-M-XS (2014): 0 to 1 from three numbers, bit for bit as in core/src/sky/ground.rs.
@@ -40,13 +48,22 @@ float octave_noise(vec2 place, uint octave, float cell_m, float pixel_m, float w
     return weight * shown * (lattice_noise(place / cell_m, octave, cell_m) - 0.5);
 }
 
+// Of the directional light, what the clouds' shadows leave at an eye-relative point of the ground.
+float reaches_ground(vec3 point) {
+    vec2 place = shadow_eye + vec2(dot(point, shadow_axes[0]), dot(point, shadow_axes[1])) / shadow_texel_m;
+    float left = texture(shadow_map, place / SHADOW_TEXELS).r;
+    float left_4 = (left * left) * (left * left);
+    return 1.0 - shadow_share * (1.0 - (UNDER_A_CLOUD_SCATTERED * left + UNDER_A_CLOUD_STRAIGHT * left_4 * left_4));
+}
+
 vec3 ground_radiance(vec3 point, float pixel_m) {
     vec2 place = ground_eye_in_pattern_m + point.xz;
     float sum = octave_noise(place, 0u, GROUND_CELL_0_M, pixel_m, 0.5)
         + octave_noise(place, 1u, GROUND_CELL_1_M, pixel_m, 0.35)
         + octave_noise(place, 2u, GROUND_CELL_2_M, pixel_m, 0.245)
         + octave_noise(place, 3u, GROUND_CELL_3_M, pixel_m, 0.1715);
-    return mix(ground_dark, ground_bright, smoothstep(-0.22, 0.22, sum));
+    vec3 lit = mix(ground_dark, ground_bright, smoothstep(-0.22, 0.22, sum));
+    return shadow_share > 0.0 ? lit * mix(ground_without_sun, vec3(1.0), reaches_ground(point)) : lit;
 }
 
 // The plain cosine of nearly equal vectors has no bits left for a disc half a degree wide.

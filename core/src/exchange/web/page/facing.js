@@ -48,7 +48,7 @@ function carried_up(up, before, towards) {
 function locked(to_eye, faced, lock_m) {
   const share = smoothstep(lock_m, SHELL * lock_m, length(to_eye));
   const between = add(scaled(faced, 1 - share), scaled(unit_or(to_eye, faced), share));
-  const before_plane = clamp(dot(faced, to_eye) / lock_m, 0, 1);
+  const before_plane = clamp(dot(faced, to_eye) / (SHELL * lock_m), 0, 1);
   const fade = length(between) * (before_plane + (1 - before_plane) * share);
   return { towards: unit_or(between, faced), fade: Math.min(fade, 1) };
 }

@@ -2,6 +2,7 @@
 // capitals are #defined before this, from the program's own constants.
 precision highp float;
 precision highp int;
+precision highp sampler2D;
 precision highp usampler2D;
 precision highp sampler2DArray;
 

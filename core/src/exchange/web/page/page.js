@@ -114,8 +114,8 @@ class Page {
     const light = this.scene.light(this.clock_s, this.hour);
     const air = this.scene.air(this.clock_s);
     const has_new_levels = this.scene.set_levels(this.clock_s);
-    this.list.make(view, this.clock_s, light.sun_direction, air, this.memory);
-    this.gpu.draw(view, light, air, this.list, veil_of(this.list, this.scene, light, air), has_new_levels);
+    this.list.make(view, this.clock_s, light, air, this.memory);
+    this.gpu.draw(view, light, air, this.list, veil_of(this.list, light, air), has_new_levels);
     this.tell(light.hour);
   }
 

@@ -46,6 +46,7 @@ class Scene {
     this.baked = this.words("baked");
     const keys = ["cloud_keys", "air_keys", "level_keys"];
     [this.cloud_keys, this.air_keys, this.level_keys] = keys.map((name) => section(name, Float32Array));
+    [this.depths, this.balls] = ["depths", "balls"].map((name) => section(name, Float32Array));
     this.by_hour = section("light_by_hour", Float32Array);
     this.by_clock = section("light_by_clock", Float32Array);
     this.row_length = HEADER.light_fields.reduce((sum, [, count]) => sum + count, 0);

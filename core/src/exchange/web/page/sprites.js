@@ -17,26 +17,33 @@ class DrawList {
     this.distances = new Float32Array(most);
     this.keys = new Uint32Array(this.distances.buffer);
     this.order = [new Uint32Array(most), new Uint32Array(most)];
-    this.moments = new Float32Array(16 * HEADER.clouds.length);
+    this.moments = new Float32Array(24 * HEADER.clouds.length);
+    this.shadows = new Shadows(scene);
     this.poses = [];
     this.veiled = [];
   }
 
-  /** What `view` sees at `clock_s` under the sun from there, in that air, with what `memory` holds of the sprites around it. */
-  make(view, clock_s, sun_direction, air, memory) {
+  /** What `view` sees at `clock_s` in that light and air, with what `memory` holds of the sprites around it. */
+  make(view, clock_s, light, air, memory) {
     this.count = 0;
     this.poses.length = this.veiled.length = 0;
     memory.begin(view);
+    this.eye = view.eye;
+    const now = HEADER.clouds.map((_, index) => this.scene.moment(index, clock_s, air));
+    const sun_direction = light.sun_direction;
+    this.has_new_shadows = this.shadows.make(now, light, air, [clock_s, ...sun_direction].join());
     let key = 0;
     HEADER.clouds.forEach((cloud, index) => {
-      const moment = this.scene.moment(index, clock_s, air);
+      const moment = now[index];
       const from_eye = [0, 1, 2].map((i) => Math.fround(moment.origin[i] - view.eye[i]));
       const { core, falloff, growth, opacity, scale, sin, cos, reach_m } = moment;
       const soft = soft_light(this.scene.clouds, index);
       const { at, shares } = soft ? around(in_model(soft, at_rest(moment, sun_direction))) : { at: [0, 0, 0], shares: [0, 0, 0] };
       const places = at[0] + 16 * at[1] + 256 * at[2];
-      const numbers = [...from_eye, core, falloff, growth, opacity, scale, sin, cos, reach_m, places, ...shares, 0];
-      this.moments.set(numbers, 16 * index);
+      const { low, a_metre, first, side } = this.shadows.shades[index] ?? { low: [0, 0], a_metre: 0, first: 0, side: 0 };
+      const shade = [...low, a_metre, first, side, 0, 0, 0];
+      const numbers = [...from_eye, core, falloff, growth, opacity, scale, sin, cos, reach_m, places, ...shares, 0, ...shade];
+      this.moments.set(numbers, 24 * index);
       if (core > 0 && opacity > 0) this.add(index, cloud, moment, from_eye, { air, view, memory, first_key: key });
       key += cloud.sprites;
     });

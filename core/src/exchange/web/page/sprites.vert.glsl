@@ -1,5 +1,5 @@
 // The sprites: each turned to the eye, its corners lit and hazed. The twin of render/src/pass/sprites/sprites.wgsl, which
-// says why it is so; what the sprites are stands in textures of four words a texel, in rows of DATA_ROW texels.
+// says why it is so; what the sprites are is loaded as clouds.glsl has it.
 //
 // A vertex is a corner; each of the four computes all four corners' light, because light runs bilinearly over the quad and
 // not linearly over its two triangles.
@@ -8,21 +8,6 @@ const uint FACES_EYE = 0xffffffffu;
 
 // Cloud, sprite and pose.
 layout(location = 0) in uvec3 instance;
-uniform usampler2D sprite_data;
-uniform usampler2D group_data;
-uniform usampler2D cloud_data;
-uniform usampler2D moment_data;
-uniform usampler2D pose_data;
-uniform usampler2D stir_data;
-uniform usampler2D baked_data;
-// The air that moves sprites one by one.
-uniform vec3 air_lean;
-uniform vec3 air_lean_shear;
-uniform float air_turned;
-uniform float air_turbulence;
-uniform vec3 air_swings;
-uniform float air_humidity;
-
 out vec2 uv;
 // Light at (u, v): base + u·right + v·down + u·v·both; straight linear rgb after haze, and alpha.
 flat out vec4 light_base;
@@ -32,99 +17,6 @@ flat out vec4 light_both;
 // What haze adds for a fragment of alpha 1, and the mip level.
 flat out vec4 haze_and_mip;
 flat out uint tile;
-
-uvec4 words(usampler2D data, uint at) {
-    return texelFetch(data, ivec2(at % DATA_ROW, at / DATA_ROW), 0);
-}
-
-vec4 floats(usampler2D data, uint at) {
-    return uintBitsToFloat(words(data, at));
-}
-
-struct Cloud {
-    vec3 center;
-    float inverse_radius;
-    float bottom;
-    float top;
-    // Heights of the colour levels, and their colours.
-    float heights[5];
-    vec4 colors[5];
-    // Where what is baked begins, from the sprites; self-shadow and halo.
-    int baked_from_sprites;
-    float self_shadow;
-    float halo;
-    // Sine and cosine of the turn from the model's space.
-    vec2 heading;
-};
-
-Cloud load_cloud(uint index) {
-    uint at = index * 10u;
-    vec4 sphere = floats(cloud_data, at);
-    vec4 extent = floats(cloud_data, at + 1u);
-    vec4 heights = floats(cloud_data, at + 2u);
-    Cloud cloud;
-    cloud.center = sphere.xyz;
-    cloud.inverse_radius = sphere.w;
-    cloud.bottom = extent.x;
-    cloud.top = extent.y;
-    cloud.heights = float[5](heights.x, heights.y, heights.z, heights.w, extent.z);
-    for (int i = 0; i < 5; i++) {
-        cloud.colors[i] = floats(cloud_data, at + 3u + uint(i));
-    }
-    vec4 soft = floats(cloud_data, at + 8u);
-    cloud.baked_from_sprites = int(soft.x);
-    cloud.self_shadow = soft.y;
-    cloud.halo = soft.z;
-    cloud.heading = floats(cloud_data, at + 9u).xy;
-    return cloud;
-}
-
-struct Moment {
-    vec3 from_eye;
-    float formed_core;
-    float formed_falloff;
-    float growth;
-    float opacity;
-    float scale;
-    // Sine and cosine, counter-clockwise from above.
-    vec2 turn;
-    // How far edges can be carried, metres; negative in air that carries nothing.
-    float reach_m;
-    // The directions around the sun's, and their shares.
-    uvec3 around;
-    vec3 shares;
-};
-
-Moment load_moment(uint cloud) {
-    vec4 first = floats(moment_data, cloud * 4u);
-    vec4 second = floats(moment_data, cloud * 4u + 1u);
-    vec4 third = floats(moment_data, cloud * 4u + 2u);
-    uint places = uint(third.w);
-    uvec3 around = uvec3(places, places >> 4u, places >> 8u) & uvec3(15u);
-    vec3 shares = floats(moment_data, cloud * 4u + 3u).xyz;
-    return Moment(
-        first.xyz, first.w, second.x, second.y, second.z, second.w, third.xy, third.z, around, shares
-    );
-}
-
-// The sine of so many whole turns.
-float sine(float turns) {
-    return sin(6.2831855 * (turns - floor(turns + 0.5)));
-}
-
-vec3 turned_by(vec2 turn, vec3 v) {
-    return vec3(turn.y * v.x + turn.x * v.z, v.y, turn.y * v.z - turn.x * v.x);
-}
-
-// A direction as it lies to the cloud at rest, where light is taken.
-vec3 at_rest(vec3 direction, Moment moment) {
-    return turned_by(vec2(-moment.turn.x, moment.turn.y), direction);
-}
-
-float height_within(Cloud cloud, float y) {
-    float extent = cloud.top - cloud.bottom;
-    return extent > 0.0 ? clamp((y - cloud.bottom) / extent, 0.0, 1.0) : 0.0;
-}
 
 // The first level above `height` and the one below it.
 vec4 level_color(Cloud cloud, float height) {
@@ -162,8 +54,6 @@ float mip_level(vec3 center, float width, float height) {
     return clamp(level + clamp(2.0 * (mip - level) - 0.5, 0.0, 1.0), 0.0, LAST_MIP);
 }
 
-Cloud cloud;
-Moment moment;
 vec3 group_center;
 vec3 group_c;
 vec3 sun_at_rest;
@@ -172,6 +62,8 @@ vec4 from_sun;
 vec4 from_above;
 vec4 from_below;
 float halo;
+// What other clouds leave of the light.
+float shade;
 
 vec4 load_left(uint direction) {
     uint sprite = uint(int(instance.y) + cloud.baked_from_sprites);
@@ -201,10 +93,12 @@ vec4 corner_light(vec3 rest, vec3 offset, float reach) {
     vec3 point = rest + offset;
     vec4 level = level_color(cloud, height_within(cloud, point.y));
     float sky_share = 1.0;
-    float sun_share = directional_share(point - group_center, group_c, sun_at_rest);
+    float shade_4 = (shade * shade) * (shade * shade);
+    float in_shade = (SCATTERED * shade + STRAIGHT * shade_4 * shade_4) / (SCATTERED + STRAIGHT);
+    float sun_share = directional_share(point - group_center, group_c, sun_at_rest) * in_shade;
     if (cloud.self_shadow > 0.0 || cloud.halo > 0.0) {
         vec3 in_model = turned_by(vec2(-cloud.heading.x, cloud.heading.y), offset) / reach;
-        float sun = left_at(from_sun, in_model);
+        float sun = left_at(from_sun, in_model) * shade;
         float sun_4 = (sun * sun) * (sun * sun);
         float let_through = group_c.z * (SCATTERED * sun + STRAIGHT * sun_4 * sun_4);
         float open = (1.0 - FROM_BELOW) * sqrt(left_at(from_above, in_model))
@@ -213,14 +107,11 @@ vec4 corner_light(vec3 rest, vec3 offset, float reach) {
         sky_share = 1.0 - cloud.self_shadow * SKY_KEPT_OUT * (1.0 - open);
     }
     vec3 rgb = level.rgb * ambient.rgb * sky_share + directional * sun_share;
-    float radii = distance(point, cloud.center) * cloud.inverse_radius;
-    float formed = clamp(moment.formed_core - moment.formed_falloff * radii, 0.0, 1.0);
-    return vec4(rgb, clamp(level.a * ambient.a, 0.0, 1.0) * formed * moment.opacity);
+    return vec4(rgb, clamp(level.a * ambient.a, 0.0, 1.0) * formed_at(point));
 }
 
 void main() {
-    cloud = load_cloud(instance.x);
-    moment = load_moment(instance.x);
+    place_sprite(instance.x, instance.y);
     vec4 first = floats(sprite_data, instance.y * 2u);
     uvec4 second = words(sprite_data, instance.y * 2u + 1u);
     uint group = second.w >> 4u;
@@ -230,30 +121,12 @@ void main() {
     group_c = vec3(group_first.w, group_second.xy);
     sun_at_rest = at_rest(sun_direction, moment);
 
-    // The sprite as it is now: where growth, turn and scale put it, and what the air adds.
-    vec3 rest = first.xyz;
-    vec3 grown = vec3(rest.x, rest.y + (rest.y - cloud.bottom) * (moment.growth - 1.0), rest.z);
-    vec3 position = moment.scale * turned_by(moment.turn, grown);
-    float width = first.w * moment.scale;
-    float height = uintBitsToFloat(second.x) * moment.scale;
-    vec2 rotation = uintBitsToFloat(second.yz);
-    float condensed = 1.0;
-    if (moment.reach_m >= 0.0) {
-        uvec4 stir = words(stir_data, instance.y);
-        float looseness = uintBitsToFloat(stir.x);
-        float threshold = uintBitsToFloat(stir.y);
-        vec2 turn_and_sway = unpackSnorm2x16(stir.z);
-        vec3 phases = vec3(uvec3(stir.w, stir.w >> 10u, stir.w >> 20u) & uvec3(1023u)) / 1024.0;
-        vec3 lean = air_lean + air_lean_shear * (height_within(cloud, rest.y) - 0.5);
-        vec3 swings = air_swings + phases;
-        float sway = air_turbulence * turn_and_sway.y * SWAY * min(width, height);
-        position += lean * (looseness * moment.reach_m) + vec3(sine(swings.x), sine(swings.y), sine(swings.z)) * sway;
-        float turns = turn_and_sway.x * air_turned;
-        vec2 more = vec2(sine(turns), sine(turns + 0.25));
-        rotation = vec2(rotation.x * more.y + rotation.y * more.x, rotation.y * more.y - rotation.x * more.x);
-        condensed = smoothstep(threshold - CONDENSING, threshold + CONDENSING, air_humidity);
-    }
-    vec3 center = moment.from_eye + position;
+    vec3 rest = now_rest;
+    float width = now_width;
+    float height = now_height;
+    vec2 rotation = now_rotation;
+    float condensed = now_condensed;
+    vec3 center = moment.from_eye + now_position;
 
     // It faces the eye, unless it is near and has a pose of its own.
     vec3 towards = unit_or(-center, vec3(0.0, 0.0, 1.0));
@@ -275,6 +148,7 @@ void main() {
     vec4 shows = vec4(vec3(1.0 - hazed), fade * condensed);
     vec3 right_at_rest = at_rest(to_right, moment) / moment.scale;
     vec3 top_at_rest = at_rest(to_top, moment) / moment.scale;
+    shade = shade_at(now_position);
     load_through(towards);
     float reach = 0.5 * length(vec2(first.w, uintBitsToFloat(second.x)));
     vec4 top_left = shows * corner_light(rest, top_at_rest - right_at_rest, reach);

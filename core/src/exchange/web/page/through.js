@@ -31,7 +31,7 @@ const in_model = ({ sin, cos }, [x, y, z]) => [cos * x - sin * z, y, sin * x + c
 
 /** Ambient and directional light within a cloud in place of those by level and group, at `offset` from a sprite's middle, in
  * its reaches; the halo is the mean of all around. */
-function through(scene, soft, sprite, offset, sun, c_max, [ambient, directional]) {
+function through(scene, soft, sprite, offset, sun, c_max, [ambient, directional], shade) {
   const { SCATTERED, STRAIGHT, SKY_KEPT_OUT, FROM_BELOW, HALO } = HEADER.constants;
   const base = BAKED_WORDS * (soft.first + sprite);
   const left = (direction) => {
@@ -40,12 +40,12 @@ function through(scene, soft, sprite, offset, sun, c_max, [ambient, directional]
     return (word & 255) / 255 + part(1) * offset[0] + part(2) * offset[1] + part(3) * offset[2];
   };
   const { at, shares } = around(sun);
-  const from_sun = clamp(shares.reduce((sum, share, i) => sum + share * left(at[i]), 0), 0, 1);
+  const from_sun = clamp(shares.reduce((sum, share, i) => sum + share * left(at[i]), 0), 0, 1) * shade;
   const open = (direction) => Math.sqrt(clamp(left(direction), 0, 1));
   const let_through = c_max * (SCATTERED * from_sun + STRAIGHT * from_sun ** 8);
-  const shade = 1 - (1 - FROM_BELOW) * open(BAKED_UP) - FROM_BELOW * open(BAKED_DOWN);
+  const closed = 1 - (1 - FROM_BELOW) * open(BAKED_UP) - FROM_BELOW * open(BAKED_DOWN);
   return [
-    ambient * (1 - soft.self_shadow * SKY_KEPT_OUT * shade),
+    ambient * (1 - soft.self_shadow * SKY_KEPT_OUT * closed),
     directional * (1 - soft.self_shadow) + soft.self_shadow * let_through
       + (soft.halo * HALO * from_sun ** 4) / (4 * Math.PI),
   ];
