@@ -14,7 +14,7 @@ use crate::scene::{Cloud, CloudId, CloudModel, ModelId, Scene};
 use crate::sprites::{Bake, PlacedCloud, PopulatedModel, Shapes};
 use crate::version::Version;
 use crate::watch::Watch;
-use crate::weather::{CloudNow, KeptShadowMap, Timeline, WeatherRules, clouds_now};
+use crate::weather::{CloudNow, KeptShadows, Timeline, WeatherRules, clouds_now};
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
@@ -33,8 +33,7 @@ pub struct Derived {
     work: WorkDone,
     /// Whether a frame bakes the light that it lacks.
     bakes_on_demand: bool,
-    /// The last frame's.
-    shadow_map: KeptShadowMap,
+    shadows: KeptShadows,
 }
 
 /// A model under a seed: what sprites are strewn from.
@@ -81,7 +80,7 @@ impl Default for Derived {
             populated: FxHashMap::default(),
             work: WorkDone::default(),
             bakes_on_demand: false,
-            shadow_map: KeptShadowMap::default(),
+            shadows: KeptShadows::default(),
         }
     }
 }
@@ -145,9 +144,9 @@ impl Derived {
         &self.timeline
     }
 
-    /// Where frames keep the clouds' shadows on the ground.
-    pub(crate) fn shadow_map(&self) -> &KeptShadowMap {
-        &self.shadow_map
+    /// Where frames keep the shadows of the clouds.
+    pub(crate) fn shadows(&self) -> &KeptShadows {
+        &self.shadows
     }
 
     /// What has been computed so far.

@@ -15,8 +15,9 @@ use crate::sight::Sight;
 use crate::sky::{Background, Dome, GroundLook, GroundShadow, NightSky};
 use crate::sprites::{Atlas, PlacedCloud};
 use crate::version::Version;
-use crate::weather::{KeptShadowMap, SceneNow};
+use crate::weather::{KeptShadows, SceneNow};
 use glam::DVec3;
+use std::sync::Arc;
 
 /// A scene's clouds, light and background as one eye sees them at one moment.
 #[derive(Debug, Clone)]
@@ -45,8 +46,8 @@ pub struct Frame<'a> {
     pub rules: Rules,
     /// The aircraft and props in view, in any order.
     pub models: Vec<ModelInView>,
-    /// The clouds' shadows on the ground, drawn when asked for and kept for the next frame.
-    pub shadow_map: KeptShadowMap,
+    /// The clouds' shadows, kept for the next frame; those on the ground are drawn when asked for.
+    pub shadows: KeptShadows,
 }
 
 impl<'a> Frame<'a> {
@@ -54,9 +55,11 @@ impl<'a> Frame<'a> {
     /// take samples.
     pub fn new(scene: &Scene, derived: &'a Derived, atlas: &'a Atlas, sight: &Sight) -> Self {
         derived.bake_on_demand();
-        let now = SceneNow::new(scene, (derived.clouds(), derived.timeline()), sight.moment, sight.rules.of_weather());
+        let of = (derived.clouds(), &**derived.timeline());
         let hidden = &sight.hidden.clouds;
-        let now = if hidden.is_empty() { now } else { now.hiding(|cloud| hidden.contains(&cloud.placed.id)) };
+        let now = SceneNow::unshaded(scene, of, sight.moment, sight.rules.of_weather())
+            .hiding(|cloud| hidden.contains(&cloud.placed.id))
+            .shaded_as_kept(derived.shadows(), derived.version());
         let frame = Self::of(now, derived, atlas, sight);
         let models = models_in_view(&scene.paths, &frame.now, &sight.meshes, sight.moment.clock_s, frame.view.eye);
         Self { models, ..frame }
@@ -72,7 +75,8 @@ impl<'a> Frame<'a> {
         if !subset.is_all() {
             poses.retain(|cloud, at| subset.has(cloud, &clouds[cloud].placed.sprites[at as usize], at));
         }
-        let choice = Choice { clouds, poses: &poses, subset, hidden };
+        let haze_length_m = if hidden.haze { f32::INFINITY } else { now.haze_length_m };
+        let choice = Choice { clouds, poses: &poses, subset, hidden, haze_length_m };
         let (order, fading) = history.order.orders();
         let (veil, veil_directional) = veil((clouds, &poses), (&view, &now.light, atlas, hidden), now.inside_density);
         Self {
@@ -86,7 +90,7 @@ impl<'a> Frame<'a> {
             atlas,
             rules: *rules,
             models: Vec::new(),
-            shadow_map: derived.shadow_map().clone(),
+            shadows: derived.shadows().clone(),
             view,
             now,
         }
@@ -97,7 +101,7 @@ impl<'a> Frame<'a> {
         let mut behind = self.background.clone();
         if let (Some(ground), Some(shadows)) = (&mut behind.ground, self.now.shadows) {
             let of = (self.clouds_version, self.now.shadows_state());
-            let map = self.shadow_map.of(of, || self.now.shadow_map());
+            let map = self.shadows.map.of(of, || self.now.shadow_map().map(Arc::new));
             ground.shadow = map.map(|map| GroundShadow::new(map, shadows, self.view.eye));
         }
         behind

@@ -37,7 +37,7 @@ pub struct PosedSprite<'a> {
 impl<'a> PosedSprite<'a> {
     /// The sprite of `cloud` that has that index, under `light`.
     pub fn new(cloud: &'a CloudNow<'a>, index: usize, pose: Pose, light: &'a Light) -> Self {
-        let (rest, sprite) = (&cloud.placed.sprites[index], cloud.sprite_now(index));
+        let (rest, sprite) = (&cloud.placed.sprites.all()[index], cloud.sprite_now(index));
         let group = &cloud.groups()[sprite.group as usize];
         let condensed = cloud.condensed(index);
         let shade = cloud.shade_at(sprite.position);

@@ -139,7 +139,7 @@ impl CloudData {
         let uploaded = clouds.iter().map(|cloud| {
             let (sprites, groups) = (cloud.placed.sprites.clone(), Arc::clone(cloud.groups()));
             let firsts = (first_sprite, first_group);
-            (first_sprite, first_group) = (first_sprite + sprites.len(), first_group + groups.len());
+            (first_sprite, first_group) = (first_sprite + sprites.all().len(), first_group + groups.len());
             let (first_sprite, first_group) = firsts;
             let first_baked = self.first_baked(cloud).map_or(0, |first| first.wrapping_sub(first_sprite as u32));
             let cloud = cloud_texels(cloud, first_baked);
@@ -158,7 +158,7 @@ impl CloudData {
                     && (old.first_sprite, old.first_group) == (now.first_sprite, now.first_group)
             });
             let first_group = now.first_group as u32;
-            (now.first_sprite, is_known, now.sprites.iter().map(move |sprite| sprite_texels(sprite, first_group)))
+            (now.first_sprite, is_known, now.sprites.all().iter().map(move |sprite| sprite_texels(sprite, first_group)))
         });
         let groups = each().map(|(index, now)| {
             let is_known = known(index, new_groups)
@@ -251,7 +251,7 @@ impl CloudData {
         if self.uploaded.iter().all(|cloud| cloud.has_stirs) {
             return Ok(false);
         }
-        let count = self.uploaded.last().map_or(0, |last| last.first_sprite + last.sprites.len());
+        let count = self.uploaded.last().map_or(0, |last| last.first_sprite + last.sprites.all().len());
         let is_new = self.stirs.reserve::<StirTexel>(gpu, count)?;
         let texels =
             |cloud: &'_ PlacedCloud| cloud.stirs().iter().map(|stir| StirTexel(stir.packed())).collect::<Vec<_>>();
@@ -272,7 +272,7 @@ impl CloudData {
                 // A list of other clouds than the frame's would be a fault of the caller's; it draws what there is.
                 let Some(cloud) = self.uploaded.get(drawn.cloud as usize) else { continue };
                 let sprite = drawn.sprite as usize;
-                if sprite >= cloud.sprites.len() {
+                if sprite >= cloud.sprites.all().len() {
                     continue;
                 }
                 let mut pose = drawn.pose;

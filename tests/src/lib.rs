@@ -5,6 +5,7 @@ pub mod authoring;
 pub mod boards;
 pub mod flip_pairs;
 pub mod gpu;
+pub mod laid_out;
 pub mod part_edits;
 pub mod small_scenes;
 pub mod suite;

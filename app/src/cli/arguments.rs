@@ -39,6 +39,12 @@ pub(super) fn samples_side(text: &str) -> Result<u32, String> {
         .ok_or_else(|| "use a square number: 1, 4, 9, 16, 25, 36, 49 or 64".into())
 }
 
+/// A mean FLIP.
+pub(super) fn tolerance(text: &str) -> Result<f32, String> {
+    let flip: Option<f32> = text.trim().parse().ok();
+    flip.filter(|flip| (0.0..=1.0).contains(flip)).ok_or_else(|| "use a number from 0 to 1: 0.01 is hardly seen".into())
+}
+
 /// A way to draw, by its name.
 pub(super) fn method(text: &str) -> Result<&'static Method, String> {
     let name = text.trim();
@@ -78,6 +84,15 @@ mod tests {
         assert_eq!(samples_side("16"), Ok(4));
         for bad in ["0", "2", "15", "81", "-4", "four"] {
             assert!(samples_side(bad).is_err(), "{bad}");
+        }
+    }
+
+    #[test]
+    fn tolerances() {
+        assert_eq!(tolerance("0.02"), Ok(0.02));
+        assert_eq!(tolerance("0"), Ok(0.0));
+        for bad in ["-0.01", "1.5", "NaN", "inf", "little", ""] {
+            assert!(tolerance(bad).is_err(), "{bad}");
         }
     }
 }

@@ -245,6 +245,7 @@ commands! {
         GroupView: "Group view", "Show boxes and sprites in the tints of their shading groups.", key(Key::G), Some(icon::PAINT_BUCKET);
         CameraPicture: "Camera's picture", "Show what the selected camera sees in a corner of the viewport.", NONE, None;
         Haze: "Haze", "Show haze in the view, or leave it out while working; pictures in files have it.", NONE, None;
+        AllSprites: "All sprites", "Draw every sprite in the view, also where merged ones in their place are hardly told from them; pictures in files have them all.", NONE, None;
         SwitchTheme: "Dark or light", "Switch between the dark and the light look.", NONE, Some(icon::CIRCLE_HALF_TILT);
         SwitchUnits: "Metric or aviation units", "Show altitudes and speeds in metres and km/h, or in feet and knots.", NONE, None;
         SwitchKeymap: "Blender's keys", "Use Blender's keys where it has the command, such as G, R and S, or the editor's own.", NONE, None;

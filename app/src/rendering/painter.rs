@@ -2,6 +2,7 @@
 //! left to us.
 
 use crate::renderer::{RenderError, Renderer, RendererChoice};
+use cloudwright_core::detail::Detail;
 use cloudwright_core::draw;
 use cloudwright_core::frame::Frame;
 use cloudwright_core::image::{Layers, LinearPicture, Picture};
@@ -19,12 +20,15 @@ pub(crate) struct Painting {
     pub(crate) method: Option<&'static Method>,
     /// Samples a pixel, as the side of their square; the method's if that is not said.
     pub(crate) side: Option<u32>,
+    /// How far from the picture of all sprites it may be, as mean FLIP; the method's if there is one.
+    pub(crate) tolerance: f32,
 }
 
 impl Painting {
     /// As the CPU would do it unless a method says otherwise.
     pub(crate) fn rules(&self) -> Rules {
-        let rules = self.method.map_or(Rules::SHIPPED, |method| method.rules);
+        let own = || Rules { detail: Detail::within(self.tolerance), ..Rules::SHIPPED };
+        let rules = self.method.map_or_else(own, |method| method.rules);
         Rules { samples_side: self.side.unwrap_or(rules.samples_side), ..rules }
     }
 }

@@ -131,6 +131,8 @@ pub struct ViewState {
     pub group_view: bool,
     /// Whether there is haze.
     pub haze: bool,
+    /// Whether sprites are drawn that merged ones could stand for.
+    pub all_sprites: bool,
     /// Whether three orthographic views are shown beside the free one.
     pub quad: bool,
     /// Whether a corner of the viewport shows what the chosen camera sees.
@@ -167,6 +169,7 @@ impl Default for ViewState {
             sprite_marks: SpriteMarks::default(),
             group_view: false,
             haze: true,
+            all_sprites: false,
             quad: false,
             camera_picture: true,
             sorting: Sorting::default(),

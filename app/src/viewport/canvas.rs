@@ -8,8 +8,9 @@ use super::memory::{Memory, ViewAt};
 use super::picture::PictureSource;
 use crate::renderer::RendererChoice;
 use crate::state::{Lens, Reading};
+use cloudwright_core::detail::Detail;
 use cloudwright_core::method;
-use cloudwright_core::rules::Rasterizer;
+use cloudwright_core::rules::{Rasterizer, Rules};
 use cloudwright_core::sight::Sight;
 use eframe::egui_wgpu::RenderState;
 use egui::{Color32, Painter, Rect, Ui, pos2};
@@ -78,7 +79,8 @@ impl Canvas {
         reading: &Reading<'_>,
     ) -> Sight {
         let (session, view) = (reading.session, reading.view);
-        let own = || self.picture.own_rules().sorted(view.sorting);
+        let detail = if view.all_sprites { Detail::FULL } else { Detail::AUTOMATIC };
+        let own = || Rules { detail, ..self.picture.own_rules().sorted(view.sorting) };
         let rules = view.method.map_or_else(own, |method| method.rules);
         let truth = self.true_memory.sight(&method::truth().rules, at, reading);
         let sight = if rules.remember_as(&truth.rules) {

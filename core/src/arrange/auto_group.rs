@@ -186,7 +186,7 @@ mod tests {
         // Once more: the old groups make way for the new ones.
         let again = applied(&after, &model(&after, scene.models[0].id, &populated));
         assert_eq!(again.models[0].groups.len(), after.models[0].groups.len());
-        let none = PopulatedModel { candidate_count: 0, sprites: Vec::new() };
+        let none = PopulatedModel { candidate_count: 0, sprites: Vec::new(), merging: std::sync::Arc::default() };
         assert_eq!(model(&scene, scene.models[0].id, &none), Arrangement::default());
     }
 }

@@ -52,6 +52,30 @@ pub struct Left {
     pub change: Vec3,
 }
 
+/// A sprite that stands for others, for [`Baked::with_merged`].
+#[derive(Debug, Clone, Copy)]
+pub struct Whole<'a> {
+    /// Half its diagonal, metres.
+    pub reach: f32,
+    /// What it stands for; something.
+    pub parts: &'a [Part],
+}
+
+/// A sprite that another stands for.
+#[derive(Debug, Clone, Copy)]
+pub struct Part {
+    /// Its number.
+    pub sprite: usize,
+    /// What it counts; not nothing.
+    pub weight: f32,
+    /// Where it is from the other, metres.
+    pub offset: Vec3,
+    /// Half of what it measures along the axes, metres.
+    pub half: Vec3,
+    /// Half its diagonal, metres.
+    pub reach: f32,
+}
+
 impl Left {
     /// At a point, in reaches of the sprite from its middle.
     #[inline]
@@ -145,6 +169,31 @@ impl Baked {
         Self { directions: self.directions, words: numbers.flat_map(|sprite| self.of(sprite).to_vec()).collect() }
     }
 
+    /// The same with more sprites behind, each of which stands for some of these: what is left at those on average, and how
+    /// that changes over them. Each with its reach, metres, and those it stands for, with where they are from it, metres.
+    #[must_use]
+    pub fn with_merged<'a>(&self, merged: impl Iterator<Item = Whole<'a>>) -> Self {
+        let words = self.directions.count() + 1;
+        let of = |each: Whole<'a>| (0..words).map(move |word| self.merged(&each, word).packed());
+        Self { directions: self.directions, words: self.words.iter().copied().chain(merged.flat_map(of)).collect() }
+    }
+
+    /// The plane that comes nearest to what is left over all quads of those.
+    fn merged(&self, merged: &Whole<'_>, word: usize) -> Left {
+        let left = |part: &Part| Left::unpacked(self.of(part.sprite)[word]);
+        let total: f32 = merged.parts.iter().map(|part| part.weight).sum();
+        let middle = merged.parts.iter().map(|part| part.weight / total * left(part).middle).sum::<f32>();
+        let (mut slopes, mut squares) = (Vec3::ZERO, Vec3::ZERO);
+        for part in merged.parts {
+            let (own, share) = (left(part), part.weight / total);
+            let along = part.half * part.half * 0.25;
+            slopes += share * (part.offset * (own.middle - middle) + own.change / (part.reach * DRAWN) * along);
+            squares += share * (part.offset * part.offset + along);
+        }
+        let slope = slopes / squares.max(Vec3::splat(1e-6));
+        Left { middle, change: slope * merged.reach * DRAWN }
+    }
+
     /// How many sprites it is of.
     pub fn sprites(&self) -> usize {
         self.words.len() / (self.directions.count() + 1)
@@ -189,4 +238,38 @@ fn left_at(along: &Along, ball: &Ball, with_change: bool) -> Left {
 fn few_of(balls: &[Ball]) -> Vec<Ball> {
     let each = balls.len().div_ceil(MOST_BALLS).max(1);
     balls.iter().step_by(each).map(|ball| Ball { depth: ball.depth * each as f32, ..*ball }).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Light that falls evenly over some sprites falls so over the one that stands for them.
+    #[test]
+    fn merged_light_is_the_plane_through_its_parts() {
+        let (slope, middle, reach) = (Vec3::new(0.002, -0.001, 0.0005), 0.5, 50.0);
+        let places: Vec<Vec3> = (0..27)
+            .map(|at| Vec3::new((at % 3 - 1) as f32, (at / 3 % 3 - 1) as f32, (at / 9 - 1) as f32) * 80.0)
+            .collect();
+        let left = |place: &Vec3| Left { middle: middle + slope.dot(*place), change: slope * reach * DRAWN };
+        let words = places.iter().flat_map(|place| [left(place).packed(); WORDS]).collect();
+        let baked = Baked { directions: DIRECTIONS, words };
+        let part = |(sprite, offset): (usize, &Vec3)| Part {
+            sprite,
+            weight: 1.0,
+            offset: *offset,
+            half: Vec3::splat(35.0),
+            reach,
+        };
+        let parts: Vec<Part> = places.iter().enumerate().map(part).collect();
+        let whole = baked.with_merged([Whole { reach: 150.0, parts: &parts }].into_iter());
+        assert_eq!(whole.sprites(), places.len() + 1);
+        for left in whole.up_and_down(places.len()) {
+            // Half a step of a byte each way; slopes are rounded by half of 1/127 over a sprite's reach, and again over the
+            // whole's, which is three times as long.
+            assert!((left.middle - middle).abs() <= 1.0 / 255.0, "{left:?}");
+            let wanted = slope * 150.0 * DRAWN;
+            assert!((left.change - wanted).abs().max_element() <= 2.0 / 127.0, "{left:?} for {wanted}");
+        }
+    }
 }

@@ -204,20 +204,9 @@ impl<'a> Plan<'a> {
         };
         let timeline = if retimes { Arc::new(Timeline::new(scene)) } else { Arc::clone(&before.timeline) };
         let bakes_on_demand = false;
-        let shadow_map = before.shadow_map.clone();
+        let shadows = before.shadows.clone();
         let populated = kept;
-        Some(Derived {
-            index,
-            shapes,
-            timeline,
-            clouds,
-            sources,
-            version,
-            populated,
-            work,
-            bakes_on_demand,
-            shadow_map,
-        })
+        Some(Derived { index, shapes, timeline, clouds, sources, version, populated, work, bakes_on_demand, shadows })
     }
 }
 

@@ -7,6 +7,7 @@
 //! keeps its place in culling, shading and the cloud's height, so hiding changes nothing about what stays. Sprites near the
 //! eye bring a pose of their own; those that it has faded away, and clouds that have not begun to form, are left out.
 
+mod merged;
 mod order;
 mod ranks;
 mod sorting;
@@ -17,10 +18,11 @@ pub use sorting::{LastSort, LazySorting, Sorting};
 
 use crate::camera::View;
 use crate::detail::Subset;
-use crate::facing::{Pose, Poses};
+use crate::facing::{Pose, Posed, Poses};
 use crate::scene::{BoxId, CloudId};
 use crate::weather::CloudNow;
 use glam::Vec3;
+use merged::Chosen;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
 
@@ -90,6 +92,8 @@ pub struct Choice<'a> {
     pub subset: &'a Subset<'a>,
     /// What is not to be drawn.
     pub hidden: &'a Hidden,
+    /// Metres over which haze takes all but 1/e of what can be told apart.
+    pub haze_length_m: f32,
 }
 
 /// A list's sprites by themselves, in its order: nothing that stands in for any, and no run's fade.
@@ -124,7 +128,9 @@ impl DrawList {
 
     /// Chooses what `view` sees, and sorts it: by `order`, or by distance now.
     pub fn new(choice: &Choice<'_>, view: &View, order: Option<&Ranks>) -> Self {
-        let mut list = Self::unsorted(choice, view);
+        // In an older order merged sprites have no place.
+        let tolerance_px = if order.is_none() { choice.subset.detail().tolerance_px } else { 0.0 };
+        let mut list = Self::unsorted(choice, view, tolerance_px);
         match order {
             None => sort_back_to_front(&mut list.sprites),
             Some(ranks) => sort_by_key(&mut list.sprites, |drawn| ranks.of(drawn.cloud, drawn.sprite)),
@@ -132,8 +138,8 @@ impl DrawList {
         list
     }
 
-    fn unsorted(choice: &Choice<'_>, view: &View) -> Self {
-        let Choice { clouds, poses, subset, hidden } = choice;
+    fn unsorted(choice: &Choice<'_>, view: &View, tolerance_px: f32) -> Self {
+        let Choice { clouds, poses, hidden, .. } = *choice;
         // Asked once, so that sprites are looked up only while boxes are hidden.
         let some_boxes = !hidden.boxes.is_empty();
         let first_pose: Vec<u32> = (0..clouds.len())
@@ -143,29 +149,40 @@ impl DrawList {
                 Some(first)
             })
             .collect();
-        let sprites = clouds.par_iter().enumerate().flat_map_iter(|(cloud_index, cloud)| {
-            let placed = cloud.placed;
-            let offset = cloud.from_eye(view.eye);
-            let seen = view.sees_sphere(offset + cloud.center_now(), cloud.reach_now())
-                && !hidden.clouds.contains(&placed.id)
-                && cloud.shows();
-            let of_cloud: &[_] = if seen { &placed.sprites } else { &[] };
-            let mut posed = poses.of_cloud(cloud_index).iter().zip(first_pose[cloud_index]..).peekable();
-            of_cloud.iter().zip(0..).filter_map(move |(sprite, index)| {
-                let pose = posed.next_if(|(posed, _)| posed.sprite == index);
-                let now = cloud.sprite_now(index as usize);
-                let center = offset + now.position;
-                let shows = view.sees_sphere(center, now.reach())
-                    && cloud.condensed(index as usize) > 0.0
-                    && pose.is_none_or(|(posed, _)| posed.pose.fade > 0.0)
-                    && !(some_boxes && hidden.boxes.contains(&sprite.box_id))
-                    && subset.has(cloud_index, sprite, index);
-                let pose = pose.map_or(FACES_EYE, |(_, pose)| pose);
-                shows.then_some(DrawSprite { cloud: cloud_index as u32, sprite: index, center, pose })
-            })
+        let of_cloud = |(index, now)| OfCloud::new(index, now, choice, view, some_boxes);
+        let posed_of = |index: usize| poses.of_cloud(index).iter().zip(first_pose[index]..);
+        let mut all_poses: Vec<Pose> =
+            (0..clouds.len()).flat_map(|cloud| poses.of_cloud(cloud)).map(|posed| posed.pose).collect();
+        // A merged sprite is of several boxes and covers what none of its parts does.
+        if tolerance_px > 0.0 && !some_boxes && choice.subset.is_all() {
+            let pose_count = all_poses.len() as u32;
+            let choose = |of: OfCloud<'_>| {
+                if of.is_seen() {
+                    merged::choose(&of, tolerance_px, posed_of(of.index), pose_count)
+                } else {
+                    Chosen::default()
+                }
+            };
+            let chosen: Vec<Chosen> =
+                clouds.par_iter().enumerate().with_min_len(16).map(of_cloud).map(choose).collect();
+            let mut sprites = Vec::with_capacity(chosen.iter().map(|chosen| chosen.sprites.len()).sum());
+            for Chosen { sprites: of_cloud, poses } in chosen {
+                let before = all_poses.len() as u32 - pose_count;
+                sprites.extend(of_cloud.into_iter().map(|drawn| match drawn.pose {
+                    FACES_EYE => drawn,
+                    own if own < pose_count => drawn,
+                    faded => DrawSprite { pose: faded + before, ..drawn },
+                }));
+                all_poses.extend(poses);
+            }
+            return Self::of_sprites(sprites, all_poses);
+        }
+        let sprites = clouds.par_iter().enumerate().map(of_cloud).flat_map_iter(|of| {
+            let mut posed = posed_of(of.index).peekable();
+            let count = if of.is_seen() { of.now.placed.sprites.len() as u32 } else { 0 };
+            (0..count).filter_map(move |index| of.drawn(index, posed.next_if(|(posed, _)| posed.sprite == index)))
         });
-        let poses = (0..clouds.len()).flat_map(|cloud| poses.of_cloud(cloud)).map(|posed| posed.pose).collect();
-        Self::of_sprites(sprites.collect(), poses)
+        Self::of_sprites(sprites.collect(), all_poses)
     }
 
     /// Every sprite there is, wherever `view` looks.
@@ -186,6 +203,45 @@ impl DrawList {
     pub fn pose(&self, drawn: &DrawSprite, view: &View) -> Pose {
         let own = self.poses.get(drawn.pose as usize).copied();
         own.unwrap_or_else(|| Pose::facing_eye(drawn.center, view.up_at_poles()))
+    }
+}
+
+/// A cloud whose sprites are chosen from.
+struct OfCloud<'a> {
+    index: usize,
+    now: &'a CloudNow<'a>,
+    /// From the eye to its origin, metres.
+    offset: Vec3,
+    choice: &'a Choice<'a>,
+    view: &'a View,
+    /// Whether any box is hidden.
+    some_boxes: bool,
+}
+
+impl<'a> OfCloud<'a> {
+    fn new(index: usize, now: &'a CloudNow<'a>, choice: &'a Choice<'a>, view: &'a View, some_boxes: bool) -> Self {
+        Self { index, now, offset: now.from_eye(view.eye), choice, view, some_boxes }
+    }
+
+    /// Whether anything of it may be.
+    fn is_seen(&self) -> bool {
+        self.view.sees_sphere(self.offset + self.now.center_now(), self.now.reach_now())
+            && !self.choice.hidden.clouds.contains(&self.now.placed.id)
+            && self.now.shows()
+    }
+
+    /// The sprite of that index, which may be a merged one's, and which has that pose of its own; none if it doesn't show.
+    fn drawn(&self, index: u32, posed: Option<(&Posed, u32)>) -> Option<DrawSprite> {
+        let Choice { subset, hidden, .. } = self.choice;
+        let now = self.now.sprite_now(index as usize);
+        let center = self.offset + now.position;
+        let shows = self.view.sees_sphere(center, now.reach())
+            && self.now.condensed(index as usize) > 0.0
+            && posed.is_none_or(|(posed, _)| posed.pose.fade > 0.0)
+            && !(self.some_boxes && hidden.boxes.contains(&now.box_id))
+            && subset.has(self.index, &now, index);
+        let pose = posed.map_or(FACES_EYE, |(_, pose)| pose);
+        shows.then_some(DrawSprite { cloud: self.index as u32, sprite: index, center, pose })
     }
 }
 

@@ -90,7 +90,7 @@ pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
         let is_known = |same: fn(&PlacedCloud, &PlacedCloud) -> bool| then.is_some_and(|then| same(then, now));
         let sprites_known = is_known(|a, b| a.sprites.are(&b.sprites)) && sprites[0] == sprites[1];
         let groups_known = is_known(|a, b| Arc::ptr_eq(&a.groups, &b.groups));
-        let (sprite_count, group_count) = (now.sprites.len() as u64, now.groups.len() as u64);
+        let (sprite_count, group_count) = (now.sprites.all().len() as u64, now.groups.len() as u64);
         if groups[0] != groups[1] || !sprites_known {
             bytes += sprite_count * SPRITE_BYTES;
         }
@@ -101,7 +101,7 @@ pub fn bytes_of_change(before: &[PlacedCloud], after: &[PlacedCloud]) -> u64 {
             bytes += CLOUD_BYTES;
         }
         let [sprites_then, groups_then] =
-            then.map_or([0; 2], |then| [then.sprites.len() as u64, then.groups.len() as u64]);
+            then.map_or([0; 2], |then| [then.sprites.all().len() as u64, then.groups.len() as u64]);
         sprites = [sprites[0] + sprites_then, sprites[1] + sprite_count];
         groups = [groups[0] + groups_then, groups[1] + group_count];
     }
@@ -131,11 +131,11 @@ fn bytes_of_shades(frame: &Frame<'_>) -> u64 {
 /// Of the sprites that cast a shadow on the ground; nothing without one.
 fn bytes_of_casters(frame: &Frame<'_>) -> u64 {
     let falls = frame.background.ground.is_some() && frame.now.shadows.is_some_and(|shadows| shadows.plane.is_some());
-    if falls { sprites_of(frame.clouds) * CASTER_BYTES } else { 0 }
+    if falls { frame.clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum::<u64>() * CASTER_BYTES } else { 0 }
 }
 
 fn sprites_of(clouds: &[PlacedCloud]) -> u64 {
-    clouds.iter().map(|cloud| cloud.sprites.len() as u64).sum()
+    clouds.iter().map(|cloud| cloud.sprites.all().len() as u64).sum()
 }
 
 /// Of what the air makes of each sprite; nothing of a scene without weather.

@@ -37,7 +37,7 @@ pub fn overdraw(frame: &Frame<'_>) -> Overdraw {
         .par_chunks(1024)
         .map(|part| {
             let area = |drawn: &crate::draw_list::DrawSprite| {
-                let sprite = &frame.clouds[drawn.cloud as usize].sprites[drawn.sprite as usize];
+                let sprite = &frame.clouds[drawn.cloud as usize].sprites.all()[drawn.sprite as usize];
                 let facing = frame.list.pose(drawn, view).facing(sprite.rotation);
                 footprint_px(view, &corners(drawn.center, facing, sprite.width, sprite.height))
             };

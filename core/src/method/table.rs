@@ -66,19 +66,24 @@ pub const METHODS: &[Method] = &[
         fast(1.0 / 16.0),
     ),
     other(
+        "auto",
+        "Where sprites are too small to tell apart, merged ones in their place.",
+        Rules { detail: Detail::AUTOMATIC, ..OURS },
+    ),
+    other(
         "three-quarters",
         "Of each cloud the quarter of the sprites that cover least is left out.",
-        Rules { detail: Detail { kept: 0.75 }, ..OURS },
+        Rules { detail: Detail { kept: 0.75, ..Detail::FULL }, ..OURS },
     ),
     other(
         "half",
         "Of each cloud the half of the sprites that cover most.",
-        Rules { detail: Detail { kept: 0.5 }, ..OURS },
+        Rules { detail: Detail { kept: 0.5, ..Detail::FULL }, ..OURS },
     ),
     other(
         "quarter",
         "Of each cloud the quarter of the sprites that cover most.",
-        Rules { detail: Detail { kept: 0.25 }, ..OURS },
+        Rules { detail: Detail { kept: 0.25, ..Detail::FULL }, ..OURS },
     ),
     other(
         "no-mips",

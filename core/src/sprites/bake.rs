@@ -4,7 +4,7 @@
 
 use super::candidates::middle;
 use super::{Atlas, Candidate, PopulatedModel};
-use crate::baked::{Baked, Ball, DIRECTIONS, Directions, MANY};
+use crate::baked::{Baked, Ball, DIRECTIONS, Directions, MANY, Part, Whole};
 use crate::scene::{ColorLevels, level_color};
 use crate::watch::Watch;
 use rustc_hash::FxHashMap;
@@ -65,6 +65,7 @@ impl Bake {
             if watch.is_cancelled() {
                 return false;
             }
+            let baked = with_merged(&baked, &self.0.sprites, &balls);
             // Another thread may have been sooner, with the same.
             let _ = self.0.baked.set(baked);
         }
@@ -81,12 +82,39 @@ impl Bake {
         let at: FxHashMap<_, usize> =
             self.0.sprites.sprites.iter().enumerate().map(|(at, each)| (key(each), at)).collect();
         let mut last = 0;
-        let numbers = sprites.sprites.iter().map(|each| {
+        let merged = sprites.merging.merged.iter().map(|merged| &merged.sprite);
+        let numbers = sprites.sprites.iter().chain(merged).map(|each| {
             last = at.get(&key(each)).copied().unwrap_or(last);
             last
         });
         Some(known.of_numbers(numbers))
     }
+}
+
+/// What is baked of a model's own sprites, which are those `balls`, and what the merged ones have of that.
+fn with_merged(baked: &Baked, populated: &PopulatedModel, balls: &[Ball]) -> Baked {
+    let PopulatedModel { sprites, merging, .. } = populated;
+    let reach = |sprite: &Candidate| 0.5 * sprite.width.hypot(sprite.height) as f32;
+    let parts: Vec<Vec<Part>> = merging
+        .merged
+        .iter()
+        .map(|merged| {
+            let part = |at: &u32| {
+                let (sprite, ball) = (&sprites[*at as usize], &balls[*at as usize]);
+                Part {
+                    sprite: *at as usize,
+                    weight: ((sprite.width * sprite.height) as f32).max(f32::MIN_POSITIVE),
+                    offset: (sprite.position - merged.sprite.position).as_vec3(),
+                    half: ball.half(),
+                    reach: reach(sprite),
+                }
+            };
+            merging.sprites_of(merged).iter().map(part).collect()
+        })
+        .collect();
+    baked.with_merged(
+        merging.merged.iter().zip(&parts).map(|(merged, parts)| Whole { reach: reach(&merged.sprite), parts }),
+    )
 }
 
 /// Sprites of a model as balls that count from the middle of them; colour levels thin some.

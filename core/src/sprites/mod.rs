@@ -9,6 +9,7 @@ mod bake;
 mod candidates;
 mod casts;
 mod cull;
+mod merge;
 mod place;
 mod shapes;
 mod sprite;
@@ -22,6 +23,7 @@ pub use candidates::{Candidate, candidates, cull_radii};
 pub use casts::Casts;
 pub(crate) use casts::CastsOnce;
 pub use cull::{cull, cull_slow};
+pub use merge::{Merged, Merging};
 pub use place::{Group, GroupKey, PlacedCloud, SoftLight, place};
 pub(crate) use place::{dress, heading_turn, place_watched, stand_alike};
 pub(crate) use shapes::Known;
@@ -31,6 +33,7 @@ pub use stir::Stir;
 
 use crate::scene::CloudModel;
 use crate::watch::Watch;
+use std::sync::Arc;
 
 /// What a sprite costs in each step, in a unit of work: about 10 ns.
 const DRAWING: u64 = 4;
@@ -47,6 +50,8 @@ pub struct PopulatedModel {
     pub candidate_count: usize,
     /// What was kept, box by box and in order of index.
     pub sprites: Vec<Candidate>,
+    /// What stands for them where they are too small to tell apart.
+    pub merging: Arc<Merging>,
 }
 
 /// Strews and culls the sprites of `model` under `seed`.
@@ -60,6 +65,8 @@ pub(crate) fn populate_watched(model: &CloudModel, seed: u64, watch: &Watch) -> 
     let radii = cull_radii(model.cull_radius, &candidates);
     let kept = cull::cull_watched(&candidates, &radii, watch);
     let candidate_count = candidates.len();
-    let sprites = candidates.into_iter().zip(kept).filter_map(|(candidate, keep)| keep.then_some(candidate)).collect();
-    PopulatedModel { candidate_count, sprites }
+    let sprites: Vec<Candidate> =
+        candidates.into_iter().zip(kept).filter_map(|(candidate, keep)| keep.then_some(candidate)).collect();
+    let merging = Arc::new(Merging::watched(&sprites, watch));
+    PopulatedModel { candidate_count, sprites, merging }
 }

@@ -5,7 +5,7 @@
 
 use super::candidates::middle;
 use super::stir::{Stir, Stirs, Within};
-use super::{Bake, Candidate, Casts, CastsOnce, PopulatedModel, Sprite, Sprites};
+use super::{Bake, Candidate, Casts, CastsOnce, Merging, PopulatedModel, Sprite, Sprites};
 use crate::baked::Baked;
 use crate::scene::{
     BoxId, Category, Cloud, CloudId, CloudModel, ColorLevels, GroupCenter, GroupId, GroupLight, level_color,
@@ -83,6 +83,8 @@ pub struct PlacedCloud {
     pub candidate_count: usize,
     /// In the order of boxes and indices.
     pub sprites: Sprites,
+    /// Which of them its merged sprites stand for.
+    pub merging: Arc<Merging>,
     /// In the order of their first sprite.
     pub groups: Arc<[Group]>,
     /// Centre of the bounding box of the sprites' centres, relative to `origin`, metres.
@@ -133,7 +135,7 @@ impl PlacedCloud {
         self.casts.get_or_make(|| Casts::new(&self.sprites, opacity))
     }
 
-    /// What the air makes of each sprite, in their order.
+    /// What the air makes of each sprite, in their order; of a merged one, what it makes of the foremost it stands for.
     pub fn stirs(&self) -> &[Stir] {
         self.stirs.get_or_make(|| {
             let (low, high) = bounds(self.sprites.iter().map(|sprite| sprite.position));
@@ -150,7 +152,9 @@ impl PlacedCloud {
                     from_center: off / self.radius.max(1e-3),
                 }
             };
-            Stir::of_cloud(self.sprites.iter().map(of), self.seed)
+            let own = Stir::of_cloud(self.sprites.iter().map(of), self.seed);
+            let merged = self.merging.merged.iter().filter_map(|merged| own.get(merged.foremost as usize));
+            own.iter().chain(merged).copied().collect()
         })
     }
 
@@ -188,8 +192,10 @@ pub(crate) fn place_watched(
     let named_groups: FxHashSet<GroupId> = model.groups.iter().map(|group| group.id).collect();
     let mut group_of_key: FxHashMap<GroupKey, u32> = FxHashMap::default();
     let mut keys: Vec<GroupKey> = Vec::new();
-    let sprites: Sprites = watch
+    let merged = populated.merging.merged.iter().map(|merged| &merged.sprite);
+    let all: Arc<[Sprite]> = watch
         .along(super::PLACING, &populated.sprites)
+        .chain(merged)
         .map(|candidate| {
             let key = key_of(candidate, &named_groups);
             let group = *group_of_key.entry(key).or_insert_with(|| {
@@ -212,6 +218,7 @@ pub(crate) fn place_watched(
             sprite
         })
         .collect();
+    let sprites = Sprites::with_merged(all, populated.sprites.len());
 
     let (low, high) = bounds(sprites.iter().map(|s| s.position));
     let center = (low + high) * 0.5;
@@ -231,6 +238,7 @@ pub(crate) fn place_watched(
         center,
         groups,
         sprites,
+        merging: Arc::clone(&populated.merging),
         color_levels: model.color_levels,
         cloud: Arc::clone(cloud),
         seed: cloud.seed.unwrap_or(model.seed),

@@ -47,10 +47,12 @@ impl Sprite {
     }
 }
 
-/// A cloud's sprites, in the order of boxes and indices.
+/// A cloud's sprites, in the order of boxes and indices; behind them those that may stand for some of them.
 #[derive(Debug, Clone)]
 pub struct Sprites {
-    list: Arc<[Sprite]>,
+    all: Arc<[Sprite]>,
+    /// How many are the cloud's own.
+    own: usize,
     choices: Arc<Mutex<Choices>>,
 }
 
@@ -78,23 +80,32 @@ pub struct Cover {
 }
 
 impl Sprites {
+    /// Of `all`, the first `own` are the cloud's.
+    pub(super) fn with_merged(all: Arc<[Sprite]>, own: usize) -> Self {
+        Self { own: own.min(all.len()), all, choices: Arc::default() }
+    }
+
+    /// The cloud's own, and behind them the merged ones in their order ([`super::Merging`]).
+    pub fn all(&self) -> &[Sprite] {
+        &self.all
+    }
+
     /// Whether these are kept where `other` is, as copies are.
     pub fn are(&self, other: &Self) -> bool {
-        Arc::ptr_eq(&self.list, &other.list)
+        Arc::ptr_eq(&self.all, &other.all)
     }
 
     /// Of the `count` sprites that cover most with the tiles of `atlas`, or of all if there are fewer, the one that covers
     /// least; of equal ones the first cover most. None of none.
     pub fn least_of(&self, count: usize, atlas: &Atlas) -> Option<Cover> {
-        let count = count.min(self.list.len());
+        let count = count.min(self.len());
         let last = count.checked_sub(1)?;
         // Nothing in it can be left half done.
         let mut choices = self.choices.lock().unwrap_or_else(PoisonError::into_inner);
         if let Some(known) = choices.kept.iter().find(|each| (each.atlas, each.count) == (atlas.version(), count)) {
             return Some(known.least);
         }
-        let mut covers: Vec<Cover> =
-            self.list.iter().zip(0..).map(|(sprite, at)| Cover::of(sprite, at, atlas)).collect();
+        let mut covers: Vec<Cover> = self.iter().zip(0..).map(|(sprite, at)| Cover::of(sprite, at, atlas)).collect();
         let least = *covers.select_nth_unstable_by(last, Cover::most_first).1;
         if choices.kept.len() == KEPT {
             choices.kept.remove(0);
@@ -122,23 +133,27 @@ impl Cover {
     }
 }
 
+/// The cloud's own.
 impl Deref for Sprites {
     type Target = [Sprite];
 
     fn deref(&self) -> &[Sprite] {
-        &self.list
+        &self.all[..self.own]
     }
 }
 
+/// Without merged ones.
 impl FromIterator<Sprite> for Sprites {
     fn from_iter<I: IntoIterator<Item = Sprite>>(sprites: I) -> Self {
-        Self { list: sprites.into_iter().collect(), choices: Arc::default() }
+        let all: Arc<[Sprite]> = sprites.into_iter().collect();
+        let own = all.len();
+        Self::with_merged(all, own)
     }
 }
 
 /// Whatever was worked out of them.
 impl PartialEq for Sprites {
     fn eq(&self, other: &Self) -> bool {
-        self.list == other.list
+        (self.own, &self.all) == (other.own, &other.all)
     }
 }

@@ -137,7 +137,7 @@ fn losses_by_key(trial: &Trial<'_>, frame: &Frame<'_>) -> FxHashMap<Key, f32> {
     let mut of_key: FxHashMap<Key, f32> = FxHashMap::default();
     for (drawn, loss) in frame.list.sprites.iter().zip(losses(frame)) {
         let cloud = &frame.clouds[drawn.cloud as usize];
-        let sprite = &cloud.sprites[drawn.sprite as usize];
+        let sprite = &cloud.sprites.all()[drawn.sprite as usize];
         *of_key.entry((trial.models[&cloud.id], id_of(sprite))).or_default() += loss;
     }
     of_key

@@ -26,7 +26,7 @@ const MOVED: f32 = 0.2;
 /// exposed linear light, what it does to its group's light included.
 pub(super) fn losses(frame: &Frame<'_>) -> Vec<f32> {
     let own = added(frame);
-    let sprite_of = |drawn: &DrawSprite| &frame.clouds[drawn.cloud as usize].sprites[drawn.sprite as usize];
+    let sprite_of = |drawn: &DrawSprite| &frame.clouds[drawn.cloud as usize].sprites.all()[drawn.sprite as usize];
     let mut of_group: FxHashMap<(u32, u32), f32> = FxHashMap::default();
     for (drawn, loss) in frame.list.sprites.iter().zip(&own) {
         *of_group.entry((drawn.cloud, sprite_of(drawn).group)).or_default() += loss;

@@ -8,7 +8,7 @@
 
 use super::{AirNow, Formed, Shade};
 use crate::baked::Baked;
-use crate::scene::ColorLevels;
+use crate::scene::{ColorLevels, level_color};
 use crate::sprites::{Group, PlacedCloud, Sprite, Stir};
 use glam::{DVec3, Vec3};
 use std::sync::Arc;
@@ -138,10 +138,10 @@ impl<'a> CloudNow<'a> {
         self.look.as_ref().map_or(&self.placed.groups, |look| &look.groups)
     }
 
-    /// The sprite of that index as it is now; its position counts from the cloud's origin.
+    /// The sprite of that index, which may be a merged one's, as it is now; its position counts from the cloud's origin.
     #[inline]
     pub fn sprite_now(&self, index: usize) -> Sprite {
-        let rest = self.placed.sprites[index];
+        let rest = self.placed.sprites.all()[index];
         let mut now = Sprite { position: self.point_now(rest.position), ..rest };
         if self.scale != 1.0 {
             (now.width, now.height) = (rest.width * self.scale, rest.height * self.scale);
@@ -195,11 +195,19 @@ impl<'a> CloudNow<'a> {
 
     /// How far from [`Self::center_now`] no sprite's centre lies, metres.
     pub fn radius_now(&self) -> f32 {
-        let air_m = self
-            .air
-            .as_ref()
-            .map_or(0.0, |InAir { air, reach_m, .. }| air.most_m(*reach_m, 2.0 * self.placed.largest * self.scale));
-        self.placed.radius * self.stretch() + air_m
+        self.placed.radius * self.stretch() + self.air_m()
+    }
+
+    /// How far the air carries any sprite at most, metres.
+    pub fn air_m(&self) -> f32 {
+        let most =
+            |InAir { air, reach_m, .. }: &InAir<'_>| air.most_m(*reach_m, 2.0 * self.placed.largest * self.scale);
+        self.air.as_ref().map_or(0.0, most)
+    }
+
+    /// How long what is so long in its model is now at most, but for what the air does; metres.
+    pub fn length_now(&self, model_m: f32) -> f32 {
+        model_m * self.placed.cloud.scale as f32 * self.stretch()
     }
 
     /// The radius of a sphere about [`Self::center_now`] that holds every quad, metres.
@@ -225,6 +233,11 @@ impl<'a> CloudNow<'a> {
     /// Opacity at a distance from its centre, in radii and at rest.
     pub fn opacity_at(&self, radii: f32) -> f32 {
         self.formed.opacity(radii) * self.opacity
+    }
+
+    /// How opaque its colour levels make sprites at rest at a height, metres from its origin; 0 to 1.
+    pub fn opacity_at_height(&self, y: f32) -> f32 {
+        level_color(self.color_levels(), self.placed.height_of(y)).a.clamp(0.0, 1.0)
     }
 
     /// Whether there is anything of it.

@@ -34,7 +34,7 @@ pub use light::{Light, Night};
 pub use moment::Moment;
 pub use scene_now::SceneNow;
 pub use shade::{Shade, ShadeNode};
-pub use shadows::{KeptShadowMap, ShadowMap, Shadows};
+pub use shadows::{KeptShadows, ShadowMap, Shadows};
 pub use streaming::{SteppedStreaming, StreamingRule, WeatherRules};
 pub use sun_day::{SunDay, on_day};
 pub use timeline::Timeline;

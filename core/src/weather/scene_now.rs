@@ -1,9 +1,10 @@
 //! A scene at a moment: all that the clock, or a look at another hour, can change, as plain numbers.
 
-use super::shadows::{ShadowMap, ShadowPlane, between};
-use super::{AirNow, CloudNow, Light, Moment, Shadows, Timeline, WeatherRules, clouds_now};
+use super::shadows::{KeptShadows, ShadowMap, ShadowPlane, between};
+use super::{AirNow, CloudNow, Light, Moment, Shade, Shadows, Timeline, WeatherRules, clouds_now};
 use crate::scene::{Aircraft, Ground, List, Prop, Scene};
 use crate::sprites::PlacedCloud;
+use crate::version::Version;
 use glam::DVec3;
 use rustc_hash::FxHasher;
 use std::hash::{Hash, Hasher};
@@ -49,11 +50,21 @@ impl<'a> SceneNow<'a> {
         moment: Moment,
         rules: WeatherRules,
     ) -> Self {
+        Self::unshaded(scene, (clouds, timeline), moment, rules).shaded()
+    }
+
+    /// The same before the clouds' shadows are known.
+    pub(crate) fn unshaded(
+        scene: &Scene,
+        (clouds, timeline): (&'a [PlacedCloud], &Timeline),
+        moment: Moment,
+        rules: WeatherRules,
+    ) -> Self {
         let time_h = moment.time_h.unwrap_or_else(|| timeline.time_of_day_h(scene, moment.clock_s));
         let scene = timeline.surroundings_at(scene, moment.clock_s);
         let sky = &scene.sky;
         let light = Light::at(&scene, time_h);
-        let now = Self {
+        Self {
             shadows: Shadows::new(light.direction, sky.cloud_shadows as f32, light.ambient_max.a),
             light,
             exposure: libm::exp2(sky.exposure_ev) as f32 * light.brightened(sky.adaptation as f32),
@@ -65,22 +76,46 @@ impl<'a> SceneNow<'a> {
             aircraft: scene.aircraft.clone(),
             props: scene.props.clone(),
             clouds: clouds_now(clouds, timeline, moment.clock_s, rules),
-        };
-        now.shaded()
+        }
     }
 
     /// The same for someone who has hidden some of its clouds, which then cast no shadow.
     #[must_use]
     pub(crate) fn hiding(mut self, is_hidden: impl Fn(&CloudNow<'_>) -> bool) -> Self {
         self.clouds.iter_mut().for_each(|cloud| cloud.is_hidden = is_hidden(cloud));
-        self.shaded()
+        self
     }
 
-    fn shaded(mut self) -> Self {
+    /// With the clouds' shadows.
+    fn shaded(self) -> Self {
+        let now = self.over_ground();
+        let shades = now.shades();
+        now.with_shades(&shades)
+    }
+
+    /// The same with what is kept of the last frame, if that was of the same clouds, which have that `version`.
+    pub(crate) fn shaded_as_kept(self, kept: &KeptShadows, version: Version) -> Self {
+        let now = self.over_ground();
+        let shades = kept.between.of((version, now.shadows_state()), || now.shades().into());
+        now.with_shades(&shades)
+    }
+
+    /// With what the ground's shadows are drawn on.
+    fn over_ground(mut self) -> Self {
+        let ground_m = self.ground.as_ref().map(|ground| ground.altitude_m);
         if let Some(shadows) = &mut self.shadows {
-            let ground_m = self.ground.as_ref().map(|ground| ground.altitude_m);
             shadows.plane = ground_m.and_then(|ground_m| ShadowPlane::new(&self.clouds, shadows.direction, ground_m));
-            between::shade(&mut self.clouds, shadows);
+        }
+        self
+    }
+
+    fn shades(&self) -> Vec<Option<Shade>> {
+        self.shadows.as_ref().map_or_else(Vec::new, |shadows| between::shades(&self.clouds, shadows))
+    }
+
+    fn with_shades(mut self, shades: &[Option<Shade>]) -> Self {
+        for (cloud, shade) in self.clouds.iter_mut().zip(shades) {
+            cloud.shade.clone_from(shade);
         }
         self
     }
@@ -90,13 +125,17 @@ impl<'a> SceneNow<'a> {
         ShadowMap::new(&self.clouds, self.shadows.as_ref()?)
     }
 
-    /// Another for each shadow that the same clouds cast on the ground.
+    /// Another for each shadow that the same clouds cast.
     pub fn shadows_state(&self) -> u64 {
         let mut hasher = FxHasher::default();
         let mut number = |number: f64| number.to_bits().hash(&mut hasher);
-        if let Some(Shadows { opacity, plane: Some(plane), .. }) = self.shadows {
-            plane.direction.to_array().into_iter().chain(plane.texel_m).for_each(|metres| number(metres.into()));
-            plane.from_m.into_iter().chain([plane.ground_m, opacity.into()]).for_each(&mut number);
+        if let Some(Shadows { direction, share, opacity, plane }) = self.shadows {
+            direction.to_array().into_iter().chain([share, opacity]).for_each(|share| number(share.into()));
+            let of_plane = |plane: ShadowPlane| {
+                plane.texel_m.into_iter().for_each(|metres| number(metres.into()));
+                plane.from_m.into_iter().chain([plane.ground_m]).for_each(&mut number);
+            };
+            plane.map(of_plane);
         }
         for cloud in &self.clouds {
             cloud.origin().to_array().into_iter().for_each(&mut number);

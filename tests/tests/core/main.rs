@@ -17,6 +17,7 @@ mod forecasts;
 mod fragment_order;
 mod layers;
 mod measure;
+mod merged;
 mod method;
 mod model_glb;
 mod models;

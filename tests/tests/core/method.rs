@@ -125,7 +125,8 @@ fn kept_sprites_are_the_largest() {
     for (share, count) in
         [(0.0, 0), (0.5, cloud.sprites.len().div_ceil(2)), (1.0, cloud.sprites.len()), (7.0, cloud.sprites.len())]
     {
-        let chosen = Subset::new(Detail { kept: share }, &all.clouds_at(0.0, WeatherRules::default()), atlas);
+        let chosen =
+            Subset::new(Detail { kept: share, ..Detail::FULL }, &all.clouds_at(0.0, WeatherRules::default()), atlas);
         let (kept, dropped): (Vec<_>, Vec<_>) =
             cloud.sprites.iter().zip(0..).partition(|(sprite, at)| chosen.has(0, sprite, *at));
         assert_eq!((kept.len(), chosen.is_all()), (count, share >= 1.0), "{share}");
@@ -169,7 +170,7 @@ fn sprites_are_chosen_once_for_all_frames() {
     }
     let other = Atlas::from_sheet(&[]);
     let clouds = derived.clouds_at(0.0, WeatherRules::default());
-    Subset::new(Detail { kept: 0.5 }, &clouds, &other);
+    Subset::new(Detail { kept: 0.5, ..Detail::FULL }, &clouds, &other);
     assert_eq!(chosen(&derived), [3, 2, 3], "other tiles cover otherwise");
 }
 

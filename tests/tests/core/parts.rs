@@ -152,7 +152,7 @@ fn order(derived: &Derived, ranks: Option<&Ranks>, id: CloudId) -> Vec<u32> {
     let (poses, hidden) = (&Poses::default(), &Hidden::default());
     let clouds = &now(derived);
     let subset = &Subset::new(Detail::FULL, clouds, Atlas::built_in());
-    let list = DrawList::new(&Choice { clouds, poses, subset, hidden }, &view, ranks);
+    let list = DrawList::new(&Choice { clouds, poses, subset, hidden, haze_length_m: f32::INFINITY }, &view, ranks);
     let index = by_id(derived, id).0 as u32;
     list.sprites.iter().filter(|drawn| drawn.cloud == index).map(|drawn| drawn.sprite).collect()
 }

@@ -125,7 +125,10 @@ fn a_map_is_kept_while_nothing_moves() {
     let still = Sight::still(&scene.cameras[0], [64, 48]);
     let map = |sight: &Sight| {
         let frame = Frame::new(&scene, &derived, Atlas::built_in(), sight);
-        let kept = frame.shadow_map.of((frame.clouds_version, frame.now.shadows_state()), || frame.now.shadow_map());
+        let kept = frame
+            .shadows
+            .map
+            .of((frame.clouds_version, frame.now.shadows_state()), || frame.now.shadow_map().map(Arc::new));
         assert_eq!(kept.as_deref(), frame.now.shadow_map().as_ref());
         kept.expect("there are shadows")
     };

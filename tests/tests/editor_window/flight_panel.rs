@@ -66,7 +66,7 @@ fn a_path_is_made_of_views() {
     assert!(window.shows("No paths yet"));
     let first = window.view_now();
     window.press("New path");
-    assert_eq!(window.undo_name().as_deref(), Some("Path"));
+    assert_eq!(window.undo_name().as_deref(), Some("Add path"));
     assert!(window.shows("it stands still"));
     window.press("Play flight");
     assert!(window.shows("leads nowhere yet"), "one key can't be flown");

@@ -36,7 +36,7 @@ fn a_report_holds_what_is_needed_and_the_scene_only_if_asked() {
         window.press("Save…");
         assert!(matches!(window.script.asked.borrow().last(), Some(Ask::Report(_))));
         let text = std::fs::read_to_string(path.with_extension("txt")).expect("written");
-        for words in ["It rained.", env!("CARGO_PKG_VERSION"), "Drawn by: CPU", "- Camera", "\"theme\""] {
+        for words in ["It rained.", env!("CARGO_PKG_VERSION"), "Drawn by: CPU", "- Add camera", "\"theme\""] {
             assert!(text.contains(words), "{words} in {text}");
         }
         assert_eq!(text.contains("\"cameras\""), with_scene);

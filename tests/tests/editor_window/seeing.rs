@@ -225,6 +225,17 @@ fn haze_is_left_out_of_the_view_alone() {
     assert!(window.harness.state().view().haze);
 }
 
+/// Merged sprites are the view's own way; a scene, and what is written of it, is as without them.
+#[test]
+fn all_sprites_are_drawn_if_asked() {
+    let mut window = opened();
+    let scene = window.scene().clone();
+    assert!(!window.harness.state().view().all_sprites);
+    window.command(Command::AllSprites);
+    assert!(window.harness.state().view().all_sprites);
+    assert_eq!(window.scene(), &scene);
+}
+
 #[test]
 fn a_camera_that_is_looked_through_has_a_frame_and_is_followed() {
     let mut window = opened();

@@ -33,7 +33,7 @@ fn carry_out(request: Request, watch: &Watch) -> Result<(Picture, Vec<String>), 
     let Request { scene, derived, beside, mut sight, renderer, method } = request;
     let told = Told::default();
     let tell = |line: &str| told.tell(line);
-    let mut painter = Painter::new(&Painting { renderer, method, side: None }, sight.rules, &tell)?;
+    let mut painter = Painter::new(&Painting { renderer, method, side: None, tolerance: 0.0 }, sight.rules, &tell)?;
     sight.rules = Rules { rasterizer: painter.rules.rasterizer, ..sight.rules };
     let picture = painter.picture(Frame::new(&scene, &derived, beside.sheet(), &sight), watch)?;
     drop(painter);

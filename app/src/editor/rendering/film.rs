@@ -193,6 +193,7 @@ impl Editor {
             renderer: if in_layers { RendererChoice::Cpu } else { self.renderer },
             method: settings.frame.method.as_deref().and_then(method::named),
             side: settings.frame.samples_side(),
+            tolerance: 0.0,
         };
         let (_, _, beside) = self.session.to_draw();
         let request = Request {

@@ -198,6 +198,7 @@ impl Editor {
                 renderer: if in_layers { RendererChoice::Cpu } else { self.renderer },
                 method: chosen.method.as_deref().and_then(method::named),
                 side: chosen.samples_side(),
+                tolerance: 0.0,
             },
             kind,
             size: chosen.size(),

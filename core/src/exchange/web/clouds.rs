@@ -92,7 +92,7 @@ impl Clouds {
         self.sprites.extend(placed.sprites.iter().map(|sprite| sprite_words(sprite, first_group)));
         self.groups.extend(groups.iter().map(group_numbers));
         if !self.air.is_empty() {
-            self.stirs.extend(placed.stirs().iter().map(crate::sprites::Stir::packed));
+            self.stirs.extend(placed.stirs()[..placed.sprites.len()].iter().map(crate::sprites::Stir::packed));
         }
         first_sprite
     }
@@ -105,7 +105,8 @@ impl Clouds {
         }
         let first = self.baked.len();
         let of_sprite = |words: &[u32]| std::array::from_fn(|word| words.get(word).copied().unwrap_or_default());
-        self.baked.extend(baked.words().chunks_exact(WORDS).map(of_sprite));
+        let own = baked.words().chunks_exact(WORDS).take(cloud.placed.sprites.len());
+        self.baked.extend(own.map(of_sprite));
         self.known_baked.push((Arc::clone(baked.words()), first));
         first
     }

@@ -27,6 +27,7 @@ pub struct Atlas {
     levels: Vec<TileLevel>,
     grey: bool,
     mean_opacities: [f32; TILES],
+    spreads: [f32; TILES],
     version: Version,
     footprints: OnceLock<Arc<Footprints>>,
 }
@@ -139,7 +140,8 @@ impl Atlas {
             let texels = &levels[tile * MIP_LEVELS + MIP_LEVELS - 1].texels;
             texels.iter().map(|texel| f32::from(texel[3])).sum::<f32>() / (255.0 * texels.len() as f32)
         });
-        Self { levels, grey, mean_opacities, version: Version::fresh(), footprints: OnceLock::new() }
+        let spreads = std::array::from_fn(|tile| spread(&levels[tile * MIP_LEVELS].texels, TILE_SIZE));
+        Self { levels, grey, mean_opacities, spreads, version: Version::fresh(), footprints: OnceLock::new() }
     }
 
     /// One tile (0 to 15) at one mip level (0 to [`MIP_LEVELS`] − 1).
@@ -155,6 +157,11 @@ impl Atlas {
     /// Mean alpha of a tile, 0 to 1.
     pub fn mean_opacity(&self, tile: usize) -> f32 {
         self.mean_opacities[tile.min(TILES - 1)]
+    }
+
+    /// How far a tile's alpha is from its middle, root mean square along an axis, in halves of its side; 0 if it is clear.
+    pub fn spread(&self, tile: usize) -> f32 {
+        self.spreads[tile.min(TILES - 1)]
     }
 
     /// Tells this sheet from every other.
@@ -226,6 +233,18 @@ fn covered(size: usize, texels: &[[u8; 4]]) -> [[f32; 2]; 4] {
         range(|(x, y)| x + y, 1.0, 3.0),
         range(|(x, y)| x - y, 2.0, 2.0),
     ]
+}
+
+/// See [`Atlas::spread`].
+fn spread(texels: &[[u8; 4]], size: usize) -> f32 {
+    let off = |at: usize| (at as f32 + 0.5) * 2.0 / size as f32 - 1.0;
+    let (mut squares, mut alphas) = (0.0, 0.0);
+    for (at, texel) in texels.iter().enumerate() {
+        let (x, y, alpha) = (off(at % size), off(at / size), f32::from(texel[3]));
+        squares += alpha * 0.5 * (x * x + y * y);
+        alphas += alpha;
+    }
+    if alphas > 0.0 { (squares / alphas).sqrt() } else { 0.0 }
 }
 
 #[cfg(test)]

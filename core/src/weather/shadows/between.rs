@@ -9,6 +9,7 @@ use super::{FALLOFF, Shadows, formed_at};
 use crate::baked::{Ball, Ray};
 use crate::weather::{CloudNow, Shade};
 use glam::{DVec3, Vec2, Vec3};
+use rayon::prelude::*;
 use std::sync::Arc;
 
 /// Nodes that half of a ball has across it, in the mean.
@@ -20,23 +21,45 @@ const LEAST_SPOT: f32 = 0.75;
 /// An optical depth that takes nothing that shows.
 const SEEN: f32 = 0.02;
 
-/// Gives each of `clouds` the shade of those others that cast one.
-pub fn shade(clouds: &mut [CloudNow<'_>], shadows: &Shadows) {
-    let spheres: Vec<Sphere> = clouds.iter().map(|cloud| Sphere::of(cloud, shadows.direction)).collect();
-    // Those that reach farthest towards the light, first: behind the first that does not come near, none does.
-    let mut order: Vec<usize> = (0..clouds.len()).filter(|at| clouds[*at].casts()).collect();
-    order.sort_by(|a, b| spheres[*b].reaches.total_cmp(&spheres[*a].reaches).then(a.cmp(b)));
-    let shades: Vec<Option<Shade>> = (0..clouds.len())
-        .map(|at| {
-            let on = &spheres[at];
-            let before = order.iter().take_while(|from| spheres[**from].reaches > on.begins);
-            let near = before.filter(|from| **from != at && spheres[**from].is_across(on)).map(|from| &clouds[*from]);
-            let casters: Vec<&CloudNow<'_>> = near.collect();
-            if casters.is_empty() || !clouds[at].shows() { None } else { shade_on(&clouds[at], &casters, shadows) }
-        })
-        .collect();
-    for (cloud, shade) in clouds.iter_mut().zip(shades) {
-        cloud.shade = shade;
+/// Of each of `clouds`, the shade of those others that cast one. The same bytes on any number of threads.
+pub fn shades(clouds: &[CloudNow<'_>], shadows: &Shadows) -> Vec<Option<Shade>> {
+    let spheres: Vec<Sphere> = clouds.par_iter().map(|cloud| Sphere::of(cloud, shadows.direction)).collect();
+    let casters = Casters::new((0..clouds.len()).filter(|at| clouds[*at].casts()), &spheres);
+    let shade_of = |at: usize| {
+        let over: Vec<&CloudNow<'_>> = casters.over(at).map(|from| &clouds[from]).collect();
+        if over.is_empty() || !clouds[at].shows() { None } else { shade_on(&clouds[at], &over, shadows) }
+    };
+    (0..clouds.len()).into_par_iter().with_min_len(8).map(shade_of).collect()
+}
+
+/// The clouds that cast shadows, side by side.
+struct Casters<'a> {
+    spheres: &'a [Sphere],
+    /// In order of where they stand along one axis across the light.
+    order: Vec<usize>,
+    largest: f64,
+}
+
+impl<'a> Casters<'a> {
+    fn new(casters: impl Iterator<Item = usize>, spheres: &'a [Sphere]) -> Self {
+        let mut order: Vec<usize> = casters.collect();
+        order.sort_by(|a, b| spheres[*a].across[0].total_cmp(&spheres[*b].across[0]).then(a.cmp(b)));
+        let largest = order.iter().map(|at| spheres[*at].radius).fold(0.0, f64::max);
+        Self { spheres, order, largest }
+    }
+
+    /// Those that come over the cloud of that index.
+    fn over(&self, at: usize) -> impl Iterator<Item = usize> {
+        let on = &self.spheres[at];
+        let (middle, reach) = (on.across[0], on.radius + self.largest);
+        let first = self.order.partition_point(|from| self.spheres[*from].across[0] < middle - reach);
+        let beside =
+            self.order[first..].iter().take_while(move |from| self.spheres[**from].across[0] <= middle + reach);
+        let comes_over = move |from: &usize| {
+            let sphere = &self.spheres[*from];
+            *from != at && sphere.reaches > on.begins && sphere.is_across(on)
+        };
+        beside.copied().filter(comes_over)
     }
 }
 

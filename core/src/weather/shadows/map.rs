@@ -4,10 +4,8 @@
 
 use super::{FALLOFF, ShadowPlane, Shadows, Spot, spots};
 use crate::math::exp;
-use crate::version::Version;
 use crate::weather::CloudNow;
 use rayon::prelude::*;
-use std::sync::{Arc, Mutex, PoisonError};
 
 /// Rows that one thread draws at once.
 const ROWS: usize = 32;
@@ -53,31 +51,6 @@ impl ShadowMap {
         let pair = |at: usize| self.left[at] + (self.left[at + 1] - self.left[at]) * share_x;
         let (low, high) = (pair(at), pair(at + width as usize));
         low + (high - low) * share_y
-    }
-}
-
-/// The map that was drawn last, shared by all frames of the same clouds: where nothing moves none is drawn again.
-#[derive(Debug, Clone, Default)]
-pub struct KeptShadowMap(Arc<Mutex<Option<Drawn>>>);
-
-/// A map, and what it is of.
-#[derive(Debug)]
-struct Drawn {
-    of: (Version, u64),
-    map: Option<Arc<ShadowMap>>,
-}
-
-impl KeptShadowMap {
-    /// That of what has such a version and state: the kept one, or what `draw` makes.
-    pub fn of(&self, of: (Version, u64), draw: impl FnOnce() -> Option<ShadowMap>) -> Option<Arc<ShadowMap>> {
-        let kept = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(drawn) = kept().as_ref().filter(|drawn| drawn.of == of) {
-            return drawn.map.clone();
-        }
-        // Drawn by all threads, none of which may wait for the lock.
-        let map = draw().map(Arc::new);
-        *kept() = Some(Drawn { of, map: map.clone() });
-        map
     }
 }
 

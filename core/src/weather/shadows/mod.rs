@@ -6,10 +6,12 @@
 //! from the one [`ShadowPlane`].
 
 pub mod between;
+mod kept;
 pub mod map;
 mod plane;
 
-pub use map::{KeptShadowMap, ShadowMap};
+pub use kept::KeptShadows;
+pub use map::ShadowMap;
 pub use plane::{MOST_TEXELS, SUN_RADIUS, ShadowPlane, Spot, spots};
 
 use super::CloudNow;
