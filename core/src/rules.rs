@@ -190,6 +190,10 @@ impl Rules {
             Filter::FinestLevel => "finest level only",
         };
         let samples = (self.samples_side * self.samples_side).to_string();
+        let merged = match self.detail.tolerance_px {
+            pixels if pixels > 0.0 => format!("off by {pixels:.1} px"),
+            _ => "none".into(),
+        };
         let stop = if stop > NEVER_STOP { format!("below 1/{:.0}", 1.0 / stop) } else { "none".into() };
         [
             ("renderer", rasterizer.into()),
@@ -200,6 +204,7 @@ impl Rules {
             ("forming", self.forming.in_words()),
             ("streaming", self.streaming.in_words()),
             ("sprites kept", format!("{:.0} %", self.detail.kept * 100.0)),
+            ("merged", merged),
             ("filter", filter.into()),
             ("haze", if self.hazes_fragments() { "a fragment" } else { "a sprite" }.into()),
             ("samples", samples),

@@ -196,7 +196,8 @@ pub(crate) fn place_watched(
     let all: Arc<[Sprite]> = watch
         .along(super::PLACING, &populated.sprites)
         .chain(merged)
-        .map(|candidate| {
+        .zip(0..)
+        .map(|(candidate, at)| {
             let key = key_of(candidate, &named_groups);
             let group = *group_of_key.entry(key).or_insert_with(|| {
                 keys.push(key);
@@ -213,7 +214,7 @@ pub(crate) fn place_watched(
                 index: candidate.index,
             };
             if let Some(lowest) = lowest.filter(|_| !candidate.moved) {
-                sprite.position.y = sprite.position.y.max(lowest + sprite.reach());
+                sprite.position.y = sprite.position.y.max(lowest + below(&sprite, at < populated.sprites.len()));
             }
             sprite
         })
@@ -278,6 +279,12 @@ pub(crate) fn dress(
     }
 }
 
+/// How far above a ground a sprite stands at least, metres. A merged one, which is seen from afar, may be wide and is not
+/// turned on end.
+fn below(sprite: &Sprite, is_own: bool) -> f32 {
+    if is_own { sprite.reach() } else { 0.5 * sprite.height }
+}
+
 /// Whether `placed`, which stands as `before` did on a ground, would be given the same sprites as `after`, which differs
 /// from that in its place alone: at one height above the ground it is, and wherever the ground lifts none of them.
 pub(crate) fn stand_alike(
@@ -290,7 +297,8 @@ pub(crate) fn stand_alike(
     if (before.position.y, ground_before_m) == (after.position.y, ground_after_m) {
         return true;
     }
-    let lowest = placed.sprites.iter().map(|sprite| sprite.position.y - sprite.reach()).fold(f32::MAX, f32::min);
+    let bottom = |(sprite, at): (&Sprite, usize)| sprite.position.y - below(sprite, at < placed.sprites.len());
+    let lowest = placed.sprites.all().iter().zip(0..).map(bottom).fold(f32::MAX, f32::min);
     let hovers = |origin_y: f64, ground_m: Option<f64>| {
         ground_m.is_none_or(|ground_m| ground_m - origin_y < f64::from(lowest) - NEAR_M)
     };

@@ -3,8 +3,10 @@
 
 use cloudwright_core::color::Rgba;
 use cloudwright_core::derived::Derived;
+use cloudwright_core::detail::Detail;
 use cloudwright_core::draw_list::{DrawList, Hidden, Run};
 use cloudwright_core::frame::Frame;
+use cloudwright_core::rules::Rules;
 use cloudwright_core::scene::{
     BoxId, Camera, Category, Cloud, CloudBox, CloudId, CloudModel, ColorLevel, GroupCenter, GroupId, GroupLight,
     KeyValue, ModelId, Scene, ShadingGroup, Sun, Track, TrackId, TrackKey, Weather,
@@ -34,9 +36,13 @@ pub struct Case {
     pub list: fn(&mut DrawList),
     /// What is left out.
     pub hidden: Hidden,
+    /// How much of each cloud is drawn.
+    pub detail: Detail,
 }
 
 const SIZE: [u32; 2] = [192, 128];
+/// So much that in each picture some sprites are merged and some fade over.
+const MERGED: Detail = Detail { tolerance_px: 7.0, ..Detail::FULL };
 
 impl Case {
     /// Gives the case's frame to `draw`.
@@ -47,7 +53,8 @@ impl Case {
         let mut now =
             SceneNow::new(&self.scene, (derived.clouds(), derived.timeline()), moment, WeatherRules::default());
         (self.now)(&mut now);
-        let sight = Sight { hidden: self.hidden.clone(), ..Sight::still(&self.camera, SIZE) };
+        let rules = Rules { detail: self.detail, ..Rules::SHIPPED };
+        let sight = Sight { hidden: self.hidden.clone(), rules, ..Sight::still(&self.camera, SIZE) };
         let mut frame = Frame::of(now, &derived, Atlas::built_in(), &sight);
         (self.list)(&mut frame.list);
         draw(&frame)
@@ -73,6 +80,7 @@ pub fn cases() -> Vec<Case> {
         now: |_| (),
         list: |_| (),
         hidden: Hidden::default(),
+        detail: Detail::FULL,
     };
     let mut dusk = noon.seen("dusk_towards_the_sun", [300.0, 700.0, 1500.0], |camera| camera.heading_deg = -50.0);
     dusk.time_h = 20.6;
@@ -128,6 +136,8 @@ pub fn cases() -> Vec<Case> {
         weather("in_churning_air", &noon, [77.7, 1.0, 1.0]),
         keyed_look(&noon),
         shading_itself(&noon),
+        Case { detail: MERGED, ..shading_itself(&noon).seen("merged", [0.0, 1100.0, 6000.0], |_| ()) },
+        Case { name: "merged_in_wind", detail: MERGED, ..weather("in_wind", &noon, [2400.0, 0.75, 0.3]) },
         Case {
             name: "in_two_runs",
             list: |list| {

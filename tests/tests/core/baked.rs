@@ -226,7 +226,7 @@ fn an_edit_keeps_light_until_the_new_is_baked() {
     assert!(placed.is_unbaked() && !before.is_unbaked());
     let copy = placed.clone();
     let old = copy.clouds()[0].baked().expect("that of before").clone();
-    assert_eq!(old.sprites(), copy.clouds()[0].sprites.len());
+    assert_eq!(old.sprites(), copy.clouds()[0].sprites.all().len());
 
     let cancelled = Watch::default();
     cancelled.cancel();

@@ -75,7 +75,7 @@ fn poses(derived: &Derived, history: &ViewHistory, id: CloudId) -> Vec<Option<Po
 
 #[test]
 fn work_and_bytes_follow_the_part() {
-    let whole = |cloud: &PlacedCloud| 32 * (cloud.sprites.len() + cloud.groups.len()) as u64 + 128;
+    let whole = |cloud: &PlacedCloud| 32 * (cloud.sprites.all().len() + cloud.groups.len()) as u64 + 128;
     // Models populated, clouds placed, clouds dressed.
     type Bytes = fn(&[PlacedCloud], &dyn Fn(&PlacedCloud) -> u64) -> u64;
     let cases: [(&str, [u64; 3], Bytes); 9] = [
@@ -86,7 +86,7 @@ fn work_and_bytes_follow_the_part() {
         ("altitude", [0, 0, 1], |_, _| 0),
         ("heading", [0, 1, 0], |after, whole| whole(&after[2])),
         // Behind a heap with fewer sprites each stands elsewhere in the table; groups and the cloud itself do not.
-        ("shape", [1, 1, 0], |after, whole| whole(&after[2]) + 32 * after[3].sprites.len() as u64),
+        ("shape", [1, 1, 0], |after, whole| whole(&after[2]) + 32 * after[3].sprites.all().len() as u64),
         ("one more", [0, 1, 0], |after, whole| whole(&after[4])),
         // The one behind it comes in its place, where what is the same of both clouds is there already.
         ("one less", [0, 0, 0], |after, whole| whole(&after[2])),

@@ -83,7 +83,7 @@ fn bytes_are_the_renderers() {
         let poses = frame.list.poses.len() as u64 * texel("POSE_TEXELS");
         let order = counts.sprites * size_of::<[u32; 3]>() as u64;
         assert_eq!(counts.bytes_uploaded, order + poses + texel("MOMENT_TEXELS"));
-        let sprites = cloud.sprites.len() as u64 * texel("SPRITE_TEXELS");
+        let sprites = cloud.sprites.all().len() as u64 * texel("SPRITE_TEXELS");
         let groups = cloud.groups.len() as u64 * texel("GROUP_TEXELS");
         let casters = cloud.sprites.len() as u64 * size_of::<[u32; 3]>() as u64;
         assert_eq!(counts.bytes_of_clouds, sprites + groups + texel("CLOUD_TEXELS") + casters);
