@@ -26,7 +26,7 @@ pub(super) struct PainterArguments {
     side: Option<u32>,
     /// How far the picture may be from that of all sprites, as mean FLIP, 0 to 1: far sprites are merged as that allows, which
     /// is faster where there are many; 0.01 is hardly seen, 0 draws all
-    #[arg(long, value_name = "FLIP", default_value_t = 0.0, value_parser = arguments::tolerance)]
+    #[arg(long, value_name = "FLIP", default_value_t = 0.0, value_parser = arguments::tolerance, allow_negative_numbers = true)]
     #[arg(conflicts_with_all = ["method", "truth"])]
     tolerance: f32,
 }

@@ -66,7 +66,7 @@ fn light_comes_later() {
     let has_light = |window: &Window| {
         let derived = window.session().derived();
         let cloud = &derived.clouds()[0];
-        !derived.is_unbaked() && cloud.baked().is_some_and(|baked| baked.sprites() == cloud.sprites.len())
+        !derived.is_unbaked() && cloud.baked().is_some_and(|baked| baked.sprites() == cloud.sprites.all().len())
     };
     window.wait("light", has_light);
     let sprites = window.sprites();
