@@ -181,7 +181,7 @@ fn measure(scene: &Scene, step: Step, steps: u32) -> [f64; PHASES.len()] {
         let clouds = &derived.clouds_at(0.0, WeatherRules::default());
         let poses = &Poses::new(&FacingRule::BOUNDED, clouds, derived.shapes(), &view, &FacingMemory::default());
         let subset = &Subset::new(Detail::FULL, clouds, Atlas::built_in());
-        let choice = Choice { clouds, poses, subset, hidden: &Hidden::default() };
+        let choice = Choice { clouds, poses, subset, hidden: &Hidden::default(), haze_length_m: f32::INFINITY };
         black_box(DrawList::new(&choice, &view, None));
         lap(&mut times);
         times[5].push(begun.elapsed());
