@@ -84,16 +84,17 @@ impl Tree<'_, '_> {
     fn descend(&mut self, at: u32, merged: &Merged, above: f32) {
         let now = self.of.now;
         let index = now.placed.sprites.len() as u32 + at;
-        let center = self.of.offset + now.sprite_now(index as usize).position;
+        let sprite = now.sprite_now(index as usize);
+        let center = self.of.offset + sprite.position;
         let reach_m = now.length_now(merged.reach_m) + now.air_m();
         // A quad reaches as far as its diagonal.
         let quad_m = std::f32::consts::SQRT_2 * now.largest_now();
-        if !self.of.view.sees_sphere(center, (reach_m + quad_m).max(now.placed.sprites.all()[index as usize].reach())) {
+        if !self.of.view.sees_sphere(center, (reach_m + quad_m).max(sprite.reach())) {
             return;
         }
         let nearest_m = center.length() - reach_m;
         let off_px = now.length_now(merged.spread_m) / (nearest_m * self.of.view.pixel());
-        let opaque = now.opacity_at_height(self.of.now.placed.sprites.all()[index as usize].position.y);
+        let opaque = now.opacity_at_height(now.placed.sprites.all()[index as usize].position.y);
         // Several thin ones over one another hide more than one of them.
         let hides = 1.0 - libm::powf(1.0 - opaque, merged.layers.max(1.0)) - opaque;
         let seen_px = (off_px + PX_AN_OPACITY * hides) * libm::expf(-nearest_m / self.of.choice.haze_length_m);
