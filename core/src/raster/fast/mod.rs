@@ -4,7 +4,8 @@
 //! tile draws the sprites that may touch it, nearest first, and stops when what still gets through no longer shows.
 //! Where their planes cross, each pixel's fragments are put in their own order on the way (`order`, `queue`). Within a
 //! tile the order is fixed, so the bytes don't depend on the number of threads.
-//! [`super::plain`] is its oracle in the order of sprites, [`super::truth`] in that of fragments; without the AVX2 instructions the tiles are drawn fragment by fragment as there.
+//! [`super::plain`] is its oracle in the order of sprites, [`super::truth`] in that of fragments; without the AVX2
+//! instructions the tiles are drawn fragment by fragment as there.
 
 #[cfg(target_arch = "x86_64")]
 mod avx2;
