@@ -83,6 +83,7 @@ fn samples_and_truth_draw_the_same_scene() {
         assert!(difference(&plain, &other) < 4.0, "{words}: {}", difference(&plain, &other));
     }
     assert!(difference(&plain, &draw(&place, "--renderer cpu --samples 16")) > 0.0, "edges are smoother");
+    assert!(difference(&plain, &draw(&place, "--renderer cpu --tolerance 1")) > 0.0, "sprites are merged");
 }
 
 /// A method by its name is what the other options ask for, to the byte.
@@ -93,6 +94,8 @@ fn methods_are_chosen_by_name() {
         ("--method truth", "--truth"),
         ("--method truth --samples 4", "--truth --samples 4"),
         ("--method fast", "--renderer cpu"),
+        ("--method fast", "--renderer cpu --tolerance 0"),
+        ("--method auto", "--renderer cpu --tolerance 0.01"),
         ("--method fast --renderer cpu --samples 4", "--renderer cpu --samples 4"),
         ("--method four-samples", "--renderer cpu --samples 4"),
         ("--method four-samples --samples 1", "--renderer cpu"),
